@@ -18,11 +18,17 @@ namespace {
 
 constexpr client_options once{.response_timeout = milliseconds(100), .retries = 0};
 
-enum class way { emplaced, assigned };
+enum class way {
+    emplaced,
+    assigned,
+    copy_emplaced, ///< of what was kept before
+    copy_assigned,
+};
 
 /// A client, or a bus, in the hands of the test.
 template <typename Link> struct remade {
     std::optional<Link> link{Link{office_line, once}};
+    std::optional<Link> kept{};
     std::uint32_t time{0};
 
     remade() { settle(); }
@@ -37,8 +43,12 @@ template <typename Link> struct remade {
     {
         if (how == way::emplaced) {
             link.emplace(office_line, once);
-        } else {
+        } else if (how == way::assigned) {
             *link = Link{office_line, once};
+        } else if (how == way::copy_emplaced) {
+            link.emplace(*kept);
+        } else {
+            *link = *kept;
         }
         settle();
     }
@@ -79,6 +89,7 @@ template <typename Link> void meets_another_after(way how)
             for (bool const is_answered : {false, true}) {
                 INFO("the " << n << ". request of the old client, the " << m << ". of the new one");
                 remade<Link> it;
+                it.kept = it.link;
                 series old{[](unsigned) { return read_of(1, 3201); }};
                 for (unsigned i = 1; i < n; ++i) {
                     it.ask(0, old);
@@ -110,6 +121,37 @@ template <typename Link> void meets_another_after(way how)
     }
 }
 
+/// A request that was taken when the copy was made, and that left since.
+template <typename Link> void sends_nothing_again(way how)
+{
+    remade<Link> it;
+    series old{[](unsigned) { return read_of(1, 3201); }, 1};
+    it.visit(0, old);
+    it.kept = it.link;
+    CHECK(it.kept->poll_transmit().empty());
+    it.kept = it.link;
+    REQUIRE_FALSE(it.link->poll_transmit().empty());
+    it.link->sent(it.now());
+    it.answer(old.frame);
+    it.visit(0, old);
+    REQUIRE(old.answered == 1);
+    it.make_anew(how);
+    CHECK(it.link->poll_transmit().empty());
+    series next{[](unsigned) { return read_of(2, 8602); }, 1};
+    for (unsigned pass = 0; pass < 9 and next.answered == 0; ++pass) {
+        it.visit(1, next);
+        byte_view const left = it.link->poll_transmit();
+        if (not left.empty()) {
+            CHECK(at({left.begin(), left.end()}, 0) == 2);
+            it.link->sent(it.now());
+            it.answer(next.frame);
+        }
+        it.settle();
+    }
+    CHECK(next.answered == 1);
+    CHECK(old.answered == 1);
+}
+
 } // namespace
 
 TEST_CASE("defect: A2 a client made anew in its place gives its outcomes to no conversation of the old one")
@@ -123,4 +165,22 @@ TEST_CASE("defect: A2 a bus made anew in its place gives its outcomes to no conv
 {
     meets_another_after<bus<2>>(way::emplaced);
     meets_another_after<bus<2>>(way::assigned);
+}
+
+TEST_CASE("defect: A4 a client that became a copy of before gives its outcomes to no conversation of the old one")
+{
+    for (way const how : {way::copy_emplaced, way::copy_assigned}) {
+        meets_another_after<client>(how);
+        meets_another_after<drive_client<2>>(how);
+        meets_another_after<bus<2>>(how);
+    }
+}
+
+TEST_CASE("defect: A4 a copy does not send what its original was about to send")
+{
+    for (way const how : {way::copy_emplaced, way::copy_assigned}) {
+        sends_nothing_again<client>(how);
+        sends_nothing_again<drive_client<2>>(how);
+        sends_nothing_again<bus<2>>(how);
+    }
 }

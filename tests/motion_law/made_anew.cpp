@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A client that is made anew in its place knows nothing of what a conversation ordered before, and of the stops that came
-// after it: such an order starts no motor.
+// A client that is made anew in its place, or becomes what a copy of it was before, knows nothing of what a conversation
+// ordered before, and of the stops that came after it: such an order starts no motor.
 #include "support/catch.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <memory>
+#include <optional>
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
+#include <rtuwire/ask/access.hpp>
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;
@@ -22,11 +24,18 @@ using device = atv320::device;
 constexpr station<device> motor{unit_id{1}};
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
-enum class way { emplaced, assigned };
+enum class way {
+    emplaced,
+    assigned,
+    copy_emplaced, ///< of what was kept before
+    copy_assigned,
+};
 
 /// A client with one drive.
 template <typename Link> struct plant : test::simulated_bus<Link, device> {
     using base = test::simulated_bus<Link, device>;
+
+    std::optional<Link> kept{};
 
     plant() : base{Link{test::bus_timing, patient}}
     {
@@ -40,11 +49,17 @@ template <typename Link> struct plant : test::simulated_bus<Link, device> {
         if (how == way::emplaced) {
             std::destroy_at(&this->link());
             std::construct_at(&this->link(), test::bus_timing, patient);
-        } else {
+        } else if (how == way::assigned) {
             this->link() = Link{test::bus_timing, patient};
+        } else if (how == way::copy_emplaced) {
+            std::destroy_at(&this->link());
+            std::construct_at(&this->link(), *kept);
+        } else {
+            this->link() = *kept;
         }
         this->idle(milliseconds(20));
     }
+    void keep() { kept.emplace(this->link()); }
     template <typename Conversation> void visit(Conversation& conversation, instant now)
     {
         if constexpr (requires { this->link().converse(0, conversation, now); }) {
@@ -82,6 +97,7 @@ template <typename Link> void no_old_start_runs(way how)
         plant<Link> it;
         start go{motor, 30_Hz};
         it.run_to_end(go, visits);
+        it.keep();
         if (go.settled()) {
             break;
         }
@@ -111,6 +127,7 @@ template <typename Link> void no_old_cycle_runs(way how)
         pass(400);
         cycle.run(900_rpm);
         pass(was_seen ? 1 : 0);
+        it.keep();
         stop rest{motor};
         it.run_to_end(rest);
         REQUIRE(rest.succeeded());
@@ -127,6 +144,7 @@ template <typename Link> void old_order_is_not_in_force(way how)
     start before{motor, 30_Hz};
     it.run_to_end(before);
     REQUIRE(before.running());
+    it.keep();
     it.make_anew(how);
     CHECK_FALSE(before.running());
     start anew{motor, 20_Hz};
@@ -137,6 +155,53 @@ template <typename Link> void old_order_is_not_in_force(way how)
     it.run_to_end(rest);
     CHECK(rest.succeeded());
     CHECK_FALSE(anew.running());
+}
+
+/// A stop under way whose client becomes a copy that was made before the stop, or while it was under way: it stops.
+template <typename Link> void stop_goes_on(way how, bool is_kept_before)
+{
+    for (unsigned visits = 1; visits < 24; ++visits) {
+        INFO("visited " << visits << " times before the copy is back");
+        plant<Link> it;
+        start go{motor, 30_Hz};
+        it.run_to_end(go);
+        REQUIRE(go.running());
+        it.keep();
+        stop rest{motor, stop_by::ramp};
+        it.run_to_end(rest, visits);
+        if (rest.settled()) {
+            break;
+        }
+        if (not is_kept_before) {
+            it.keep();
+        }
+        it.make_anew(how);
+        start other{motor, 30_Hz};
+        it.step([&](instant now) { it.visit(rest, now); }, milliseconds(5));
+        it.step([&](instant now) { it.visit(other, now); }, milliseconds(5));
+        it.run_to_end(rest);
+        CHECK(rest.succeeded());
+        CHECK_FALSE(it.turns());
+        CHECK_FALSE(turns_with(it, other));
+        CHECK_FALSE(turns_with(it, go));
+    }
+}
+
+/// A copy that was made while the motor ran knows that nobody holds it: reads alone do not keep it running.
+template <typename Link> void reads_keep_no_motor_running(way how)
+{
+    plant<Link> it;
+    start go{motor, 30_Hz};
+    it.run_to_end(go);
+    it.keep();
+    it.make_anew(how);
+    REQUIRE(it.turns());
+    for (unsigned i = 0; i < 1'000 and it.turns(); ++i) {
+        auto look = read<atv320::eta>(motor);
+        it.run_to_end(look, 40);
+        it.idle(milliseconds(50));
+    }
+    CHECK_FALSE(it.turns());
 }
 
 } // namespace
@@ -163,4 +228,40 @@ TEST_CASE("motion law: L1 an order to a client that was made anew since is not i
     old_order_is_not_in_force<drive_client<1>>(way::assigned);
     old_order_is_not_in_force<bus<1>>(way::emplaced);
     old_order_is_not_in_force<bus<1>>(way::assigned);
+}
+
+TEST_CASE("defect: A4 an order older than a stop starts no motor through a client that became a copy of before")
+{
+    for (way const how : {way::copy_emplaced, way::copy_assigned}) {
+        no_old_start_runs<drive_client<1>>(how);
+        no_old_start_runs<bus<1>>(how);
+        no_old_cycle_runs<drive_client<1>>(how);
+        no_old_cycle_runs<bus<1>>(how);
+    }
+}
+
+TEST_CASE("defect: A4 an order to a client that became a copy since is not in force")
+{
+    for (way const how : {way::copy_emplaced, way::copy_assigned}) {
+        old_order_is_not_in_force<drive_client<1>>(how);
+        old_order_is_not_in_force<bus<1>>(how);
+    }
+}
+
+TEST_CASE("defect: A4 a stop under way whose client becomes a copy of before goes on stopping")
+{
+    for (way const how : {way::copy_emplaced, way::copy_assigned}) {
+        for (bool const is_kept_before : {false, true}) {
+            stop_goes_on<drive_client<1>>(how, is_kept_before);
+            stop_goes_on<bus<1>>(how, is_kept_before);
+        }
+    }
+}
+
+TEST_CASE("defect: A4 reads through a copy keep no motor running")
+{
+    for (way const how : {way::copy_emplaced, way::copy_assigned}) {
+        reads_keep_no_motor_running<drive_client<1>>(how);
+        reads_keep_no_motor_running<bus<1>>(how);
+    }
 }

@@ -44,7 +44,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// repetition of it, leaves only in a pass in which its conversation visits (`converse` is called for it); the bytes
 /// to send are the client's own and unchanged until `sent` is called or the client's wait for it times out; an outcome
 /// goes to the conversation that asked, or is dropped. A client may be assigned, or made anew in its place: what its
-/// conversations asked and ordered before is over, and they may ask and order anew.
+/// conversations asked and ordered before is over, and they may ask and order anew. A copy is another client: it sends
+/// nothing that its original was asked, and counts none of its orders; it knows which motors these may have left running,
+/// and holds what stops held: a stop that goes on at the copy ends its hold, `release` that of one that does not.
 ///
 /// `Needs` is the constant that says what it is for: see `client_needs`. `client`, `drive_client`, `static_client` and
 /// `host_client` are names for the frequent ones.

@@ -72,6 +72,30 @@ template <std::size_t Units> class orders {
 public:
     static constexpr bool is_kept = true;
 
+    constexpr orders() noexcept = default;
+    constexpr orders(orders const& original) noexcept { *this = original; }
+
+    /// A copy knows which motors may run, which units are held and which are lost. No order that was given before counts for
+    /// it: it is another client, behind the count of both. A motor that runs is held by nobody then.
+    constexpr orders& operator=(orders const& original) noexcept
+    {
+        count_ = newer_of(count_, original.count_);
+        holder_of_all_ = original.holder_of_all_;
+        is_all_over_ = original.is_all_over_;
+        is_by_commander_ = original.is_by_commander_;
+        all_passes_left_ = original.all_passes_left_;
+        all_seen_ = original.all_seen_;
+        asked_ = original.asked_;
+        wake_ = original.wake_;
+        places_ = original.places_;
+        if (count_ != 0) { // else none was used
+            begin_count();
+            note_none_counts();
+            leave_all();
+        }
+        return *this;
+    }
+
     // What commanders tell when they visit, and what they are told.
 
     /// What is known of the words of a commander's unit.
@@ -576,11 +600,7 @@ private:
     [[gnu::noinline]] constexpr void meet(commander& who) noexcept
     {
         if (number_ == 0) {
-            // Behind the count of the client that may have been in this place, of which `commander::known_` is asked. It
-            // begins with a stop of all units: every order of another client's count is older.
-            number_ = std::is_constant_evaluated() ? 1 : next_client_number();
-            count_ = origin();
-            stopped_all_ = count_;
+            begin_count();
         }
         if (who.counted_by_ != number_) {
             bool const is_new = who.counted_by_ == 0 or who.ordered_behind_ != 0; // or begun anew, for this client
@@ -655,6 +675,15 @@ private:
         for (unit_order& each : places_) {
             let_go_if_over(each);
         }
+    }
+
+    /// Behind the count of the client that may have been in this place, of which `commander::known_` is asked. It begins with
+    /// a stop of all units: every order of another client's count is older.
+    constexpr void begin_count() noexcept
+    {
+        number_ = std::is_constant_evaluated() ? count_ + 1 : next_client_number();
+        count_ = newer_of(count_, origin());
+        stopped_all_ = count_;
     }
 
     /// What its count began with.
@@ -796,7 +825,7 @@ private:
         own.silence_end = now + own.silence;
     }
 
-    std::uint32_t number_{0};        ///< of this client; 0: no commander has visited it
+    std::uint32_t number_{0};        ///< of this client; 0: no commander has visited it, nor one that it is a copy of
     std::uint32_t count_{0};         ///< of all events, which are told apart by it
     std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
     std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none

@@ -33,9 +33,9 @@ enum class turn_result : std::uint8_t {
 /// The turns on one line.
 class turns {
 public:
-    /// A client that is made at run time may stand in the place of another one: it counts from another number.
+    /// A client that is made at run time, a copy as well, may stand in the place of another one: it counts from another number.
     constexpr turns() noexcept : number_{std::is_constant_evaluated() ? 0 : first_number()} {}
-    constexpr turns(turns const&) noexcept = default;
+    constexpr turns(turns const&) noexcept : turns{} {}
 
     /// A client that is set up anew in its place, for another speed, continues the count: otherwise a conversation
     /// that asked the one before would take another's outcome for its own.

@@ -43,6 +43,25 @@ enum class client_phase : std::uint8_t {
     settled,      ///< its asker takes the outcome or has given it up, or the next in turn finds it missing -> idle
 };
 
+/// The phase of a client. That of a copy, which nobody has asked: what was ready does not leave.
+class kept_phase {
+public:
+    constexpr kept_phase(client_phase at) noexcept : at_{at} {}
+    constexpr kept_phase(kept_phase const& original) noexcept
+        : at_{original.at_ == client_phase::ready ? client_phase::waiting : original.at_}
+    {}
+    constexpr kept_phase& operator=(kept_phase const& original) noexcept { return *this = kept_phase{original}.at_; }
+    constexpr kept_phase& operator=(client_phase at) noexcept
+    {
+        at_ = at;
+        return *this;
+    }
+    [[nodiscard]] constexpr operator client_phase() const noexcept { return at_; }
+
+private:
+    client_phase at_;
+};
+
 /// Whether a request is between its start and its outcome.
 [[nodiscard]] constexpr bool is_under_way(client_phase at) noexcept
 {

@@ -654,7 +654,7 @@ private:
     // what is near with short instructions, on a Cortex-M0+ a byte in the first 32 bytes. Members of classes have no `{}`,
     // for which GCC would first make zeros by a call of memset (docs/size-notes.md). No byte is left between the members.
     [[no_unique_address]] cutter framer_; ///< cuts the response out of the bytes that arrive
-    client_phase phase_{client_phase::idle};
+    kept_phase phase_{client_phase::idle};
     errc error_{errc::none};
     bool is_woken_{false};      ///< the next pass has something to do at once
     bool must_send_now_{false}; ///< the request must leave at once or not at all
