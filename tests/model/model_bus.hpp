@@ -32,7 +32,11 @@ public:
     bus(line_times const& times, options const& how, share const& of, std::size_t slots)
         : inner{times, how}, times_{times}, share_{of},
           slots_(slots, slot{{inner.own_retry_policy(), 0, 0}}), last_probed_{slots - 1}
-    {}
+    {
+        inner.kept_up = [this](microseconds now) { advance_slots(now); };
+    }
+    bus(bus const&) = delete;
+    bus& operator=(bus const&) = delete;
 
     void set(std::size_t index, slot_options const& as) { slots_[index].options = as; }
 
@@ -40,6 +44,10 @@ public:
     {
         inner.advance(now);
         is_urgent_ = false;
+        advance_slots(now);
+    }
+    void advance_slots(microseconds now)
+    {
         is_put_off_ = is_put_off_ and now < put_off_until_;
         is_idle_ = is_idle(now);
         if (is_idle_) {

@@ -4,6 +4,7 @@
 // are those of the rules.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "model_conversation.hpp"
@@ -75,7 +76,16 @@ public:
         static_cast<void>(is_start);
     }
 
+    /// 7, 8.
     void sent(microseconds at)
+    {
+        bool const was_leaving = is_leaving();
+        take_end(at);
+        if (was_leaving) {
+            keep_up(at - line_.times.characters(request_.size()));
+        }
+    }
+    void take_end(microseconds at)
     {
         line_.note_activity(at);
         if (not is_leaving()) {
@@ -125,8 +135,23 @@ public:
         }
     }
 
+    /// Told of what passed where a call began with a pass.
+    std::function<void(microseconds)> kept_up{};
+    void keep_up(microseconds now)
+    {
+        if (seen_ and now - *seen_ > 1'048'576) {
+            advance(now);
+            if (kept_up) {
+                kept_up(now);
+            }
+        }
+    }
+
     void cancel(microseconds now)
     {
+        if (is_under_way()) {
+            keep_up(now);
+        }
         if (is_leaving() or phase_ == phase::turnaround) {
             error_ = cancelled;
         } else if (is_under_way()) {

@@ -62,9 +62,11 @@ result<void> receive_until(Engine& engine, Port& port, byte_span place, instant 
     return receive_from(port, engine, place, until);
 }
 
-/// Sends what an engine has to send. Returns whether there was anything; the errors are those of the port.
+/// Sends what an engine has to send. Returns whether there was anything; the errors are those of the port. A time that was
+/// named since the engine's last `advance`, and is over behind the write, is now: `sent` may let time pass, which tells no more.
 /// Internal.
-template <typename Engine, serial_port Port> result<bool> send_from(Engine& engine, Port& port, duration write_limit)
+template <typename Engine, serial_port Port>
+result<bool> send_from(Engine& engine, Port& port, duration write_limit, instant& until)
 {
     byte_view const frame = engine.poll_transmit();
     if (frame.empty()) {
@@ -73,8 +75,10 @@ template <typename Engine, serial_port Port> result<bool> send_from(Engine& engi
     if (auto const written = port.write(frame, port.now() + write_limit); not written) {
         return written.error();
     }
+    instant const now = port.now();
+    keep_over(until, now, engine.judged_at(now));
     // Computed: asking the driver for the end costs a call, and adapters do not know it.
-    engine.sent(port.now() + engine.line().characters(frame.size()));
+    engine.sent(now + engine.line().characters(frame.size()));
     return true;
 }
 
@@ -95,7 +99,7 @@ template <typename Engine, serial_port Port>
 result<void> finish_pass(Engine& engine, Port& port, byte_span place, instant until,
                          duration write_limit = milliseconds(1'000))
 {
-    auto const sent = send_from(engine, port, write_limit);
+    auto const sent = send_from(engine, port, write_limit, until);
     return sent ? receive_within_pass(engine, port, place, until) : result<void>{sent.error()};
 }
 
@@ -232,10 +236,10 @@ private:
                 continue;
             }
             bool const says_it = is_said(conversation);
-            auto const sent = send_from(client_, port_, write_limit_);
+            instant until = now + longest_wait;
+            auto const sent = send_from(client_, port_, write_limit_, until);
             bool const has_left = sent and *sent;
-            passed =
-                sent ? receive_within_pass(client_, port_, input_, now + longest_wait) : result<void>{sent.error()};
+            passed = sent ? receive_within_pass(client_, port_, input_, until) : result<void>{sent.error()};
             has_to_say = has_to_say and not(has_left and says_it) and (sent or is_passing(sent.error()));
             bool const goes_on =
                 sent ? has_to_say and has_left : has_to_stop(conversation) and is_passing(sent.error());

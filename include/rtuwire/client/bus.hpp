@@ -95,20 +95,21 @@ public:
     }
     constexpr void sent(instant at) noexcept
     {
-        client_.sent(at);
+        client_.sent(at, [this](instant judged) { advance_slots(judged); });
         is_idle_ = false;
     }
     [[nodiscard]] constexpr line_timing const& line() const noexcept { return client_.line(); }
 
     constexpr void cancel(instant now) noexcept
     {
-        client_.cancel(now);
+        client_.cancel(now, [this](instant judged) { advance_slots(judged); });
         is_idle_ = false;
     }
     constexpr void cancel(asker const& whose, instant now) noexcept
     {
-        client_.cancel(whose, now);
-        is_idle_ = false;
+        if (client_.is_asked_by(whose)) {
+            cancel(now);
+        }
     }
     constexpr void hold(unit_id unit, instant end) noexcept { client_.hold(unit, end); }
     [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return client_.is_held(unit); }

@@ -82,7 +82,25 @@ public:
     constexpr void receive_error(instant now) noexcept { transaction_.receive_error(now); }
 
     /// Notes that the last stop bit of what `poll_transmit` returned has left at `at`, or will have left by then.
-    constexpr void sent(instant at) noexcept { transaction_.sent(at); }
+    constexpr void sent(instant at) noexcept
+    {
+        sent(at, [](instant) {});
+    }
+
+    /// The same. `judge` is called with the time by which what was in force before is to be judged, where the program was
+    /// stopped since the latest `advance`.
+    /// Internal.
+    constexpr void sent(instant at, auto judge) noexcept
+    {
+        bool const was_leaving = is_leaving(phase_now());
+        transaction_.sent(at);
+        if constexpr (has_system) { // elsewhere nothing stops the program between this and `advance`
+            if (was_leaving) {
+                duration const ahead = transaction_.time_to_send();
+                keep_up(at - ahead, ahead, judge);
+            }
+        }
+    }
 
     /// Lets time pass.
     constexpr void advance(instant now) noexcept { static_cast<void>(advance_within_reach(now)); }
@@ -165,7 +183,10 @@ public:
     /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`. A write may have taken
     /// effect all the same. A frame that is leaving leaves whole, and a broadcast gets its turnaround; the outcome
     /// comes then.
-    constexpr void cancel(instant now) noexcept { transaction_.cancel(now); }
+    constexpr void cancel(instant now) noexcept
+    {
+        cancel(now, [](instant) {});
+    }
 
     /// The same, only where it is this conversation's.
     constexpr void cancel(asker const& whose, instant now) noexcept
@@ -173,6 +194,16 @@ public:
         if (is_asked_by(whose)) {
             cancel(now);
         }
+    }
+
+    /// The same, as for `sent`.
+    /// Internal.
+    constexpr void cancel(instant now, auto judge) noexcept
+    {
+        if (is_under_way(phase_now())) {
+            keep_up(now, duration{}, judge);
+        }
+        transaction_.cancel(now);
     }
 
     /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like; nothing where it was
@@ -335,6 +366,18 @@ public:
     }
 
 private:
+    /// A time limit begins `now`, or has begun. Where the latest `advance` was long ago, time passes before: else the next
+    /// one, behind another pause, would judge it by that. The latest may have been later than `now`, by `ahead`.
+    constexpr void keep_up(instant now, duration ahead, auto judge) noexcept
+    {
+        constexpr duration longest_pass{std::uint32_t{1} << 20U};
+        constexpr duration latency = milliseconds(100);
+        std::uint32_t const most = 0U - (longest_pass + latency).microseconds - ahead.microseconds;
+        if (seen_ != instant{0} and (now - seen_).microseconds - longest_pass.microseconds < most) {
+            judge(advance_within_reach(now));
+        }
+    }
+
     // Whose turn it is.
 
     /// A conversation visits. Returns whether the outcome is there and its own. A request is dropped where the next in

@@ -190,6 +190,7 @@ public:
     [[nodiscard]] constexpr bool is_busy() const noexcept { return phase_ != phase::idle; }
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
     [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return request_.unit(); }
+    [[nodiscard]] constexpr duration time_to_send() const noexcept { return request_.time_to_send(line()); }
     [[nodiscard]] constexpr client_phase phase_now() const noexcept { return phase_; }
 
     [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept
@@ -325,14 +326,14 @@ private:
     /// The transmitter has the time that the request takes, plus the response time-out.
     [[gnu::noinline]] constexpr void limit_sending(instant now) noexcept
     {
-        deadline_ = now + retries_.response_timeout() + request_.time_to_send(line());
+        deadline_ = now + retries_.response_timeout() + time_to_send();
     }
 
     /// The request left once more. Returns how long its response may take, up to its last byte.
     constexpr duration note_sent(instant at) noexcept
     {
         duration const limit = retries_.response_timeout() + request_.time_to_respond(line());
-        retries_.note_sent(at, request_.time_to_send(line()), limit + late_response());
+        retries_.note_sent(at, time_to_send(), limit + late_response());
         return limit;
     }
 
