@@ -50,6 +50,13 @@ struct conversation_properties {
     rtuwire::freshness freshness{rtuwire::freshness::any_time};
 };
 
+/// How long the frames of a conversation are at most, CRC included. One whose type tells declares
+/// `static constexpr frame_sizes longest_frames{...}`.
+struct frame_sizes {
+    std::size_t request;
+    std::size_t response;
+};
+
 /// A request: the bytes of a frame that `encode` made. The client copies them when it takes the request,
 /// so they have to live no longer than the call that returned them.
 class request_frame {

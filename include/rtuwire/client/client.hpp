@@ -321,6 +321,9 @@ public:
         static_assert(
             has_what_it_asks<typename needed::functions, Conversation>(),
             "this client's list of functions lacks one that the conversation asks: add it to its client_needs");
+        static_assert(has_room_for<Needs, Conversation>(),
+                      "this client has no room for the longest frames of the conversation: give its client_needs a "
+                      "larger longest_frame");
         if (conversation.settled() and not turns_.is_last(conversation)) {
             return turn_result::passed;
         }

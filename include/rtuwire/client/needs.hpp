@@ -10,6 +10,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/constant.hpp>
@@ -38,7 +39,7 @@ template <typename Functions = public_functions, typename Observer = no_observer
     std::optional<line_timing> timing{};
     client_options options{};
     /// The longest response, 8 to 256 bytes, CRC included; with a request of more than `request_room` so much less. A request
-    /// whose response may be longer is refused with `buffer_too_small`.
+    /// whose response may be longer is refused with `buffer_too_small`, and where a conversation's type tells, by the compiler.
     std::size_t longest_frame{max_adu_size};
     /// How many bytes precede the room for a response: as many as most requests have, 8 to 256. A longer request takes room
     /// from its response.
@@ -108,6 +109,19 @@ template <typename Functions, typename Conversation> [[nodiscard]] consteval boo
 {
     if constexpr (requires { Conversation::asks; }) {
         return Functions::codes.contains_all(Conversation::asks);
+    }
+    return true;
+}
+
+/// Whether a client has room for the longest request of a conversation together with its longest response, as far as its
+/// type tells.
+/// Internal.
+template <auto const& Needs, typename Conversation> [[nodiscard]] consteval bool has_room_for() noexcept
+{
+    if constexpr (requires { Conversation::longest_frames; }) {
+        constexpr frame_sizes most = Conversation::longest_frames;
+        std::size_t const front = most.request < Needs.request_room ? Needs.request_room : most.request;
+        return front + most.response <= Needs.request_room + Needs.longest_frame;
     }
     return true;
 }

@@ -10,8 +10,10 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/cyclic/cycle_layout.hpp>
+#include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
@@ -20,7 +22,14 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 template <drive_type Device> class cycle_frames {
     using words = cycle_layout<Device>;
 
+    static constexpr bool is_exchange = Device::cycle.by == function_code::read_write_multiple_registers;
+    static constexpr std::size_t most_read =
+        words::has_scanner and words::inputs < words::outputs ? words::outputs : words::inputs;
+
 public:
+    static constexpr frame_sizes longest{.request = (is_exchange ? 13U : 9U) + 2 * std::size_t{words::outputs},
+                                         .response = most_read < 2 ? 8 : 5 + 2 * most_read};
+
     explicit constexpr cycle_frames(unit_id unit) noexcept : unit_{unit} {}
 
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }

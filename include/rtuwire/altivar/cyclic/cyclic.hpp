@@ -41,6 +41,7 @@ public:
     static constexpr bool keeps_meaning = true;
     static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register,
                                        Device::cycle.by};
+    static constexpr frame_sizes longest_frames = cycle_frames<Device>::longest;
 
     explicit constexpr cyclic(station<Device> const& its_drive, cyclic_options const& its_options = {}) noexcept
         : steps_{its_drive.unit(), its_options}, enable_timeout_{its_options.enable_timeout},

@@ -56,6 +56,8 @@ public:
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
                                                         .freshness = freshness::when_free};
     static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register};
+    /// A read of two registers at most.
+    static constexpr frame_sizes longest_frames{.request = 8, .response = 9};
 
     static constexpr bool keeps_meaning = true;
 

@@ -116,6 +116,7 @@ template <std::size_t Drives> class broadcast_stop : public commander {
 public:
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_all};
     static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register};
+    static constexpr frame_sizes longest_frames = procedure_conversation::longest_frames;
 
     template <device_type... Device>
     explicit constexpr broadcast_stop(broadcast_stop_options const& options, station<Device> const&... drives) noexcept
