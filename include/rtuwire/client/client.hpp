@@ -288,9 +288,7 @@ public:
     constexpr void command(Conversation& conversation, instant now, bool may_ask = true) noexcept
     {
         if constexpr (Orders::is_kept and may_be_stop<Conversation>) {
-            if (conversation.is_stop()) {
-                orders_.tell(conversation, conversation.unit().byte()); // its first word depends on it
-            }
+            orders_.tell(conversation, conversation.unit().byte()); // what it begins with depends on it
         }
         advance_conversation(conversation, now);
         if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {

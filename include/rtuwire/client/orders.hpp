@@ -98,11 +98,13 @@ public:
 
     // What commanders tell when they visit, and what they are told.
 
-    /// What is known of the words of a commander's unit.
+    /// What is known of a commander's unit before it begins.
     constexpr void tell(commander& who, std::uint8_t unit) const noexcept
     {
+        unit_order const& own = places_.of(unit);
+        who.is_unit_ordered_ = own.is_ordered;
         if (who.read_meaning_of_ == 0) { // else what it read is newer
-            tell(who, places_.of(unit));
+            tell(who, own);
         }
     }
 

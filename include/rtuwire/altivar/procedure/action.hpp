@@ -20,7 +20,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 class event {
 public:
     enum class kind : std::uint8_t {
-        begun,
+        begun,      ///< `word` is not 0 where this client has ordered the motor to run
         word_read,  ///< `word` is what was read
         written,    ///< the drive confirmed the write
         failed,     ///< a read or write failed; `error` tells why

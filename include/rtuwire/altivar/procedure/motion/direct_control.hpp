@@ -74,7 +74,7 @@ public:
 ///
 /// | stage             | word read              | confirmed     | no response  | refused       | limit over          |
 /// |-------------------|------------------------|---------------|--------------|---------------|---------------------|
-/// | meeting           | a status, kept         |               | end: silent  | end: refused  | end: aborted        |
+/// | meeting           | a status               |               | end: silent  | end: refused  | end: aborted        |
 /// | examining         | the check, a status    |               | end: silent  | as in a check | end: aborted        |
 /// | clearing          |                        | the reference | undo: silent | undo: refused | undo: state_timeout |
 /// | writing_reference |                        | read it back  | undo: silent | undo: refused | undo: state_timeout |
@@ -96,8 +96,9 @@ public:
 /// | 6 quick stop active  | end: refused_while_running | undo: overwritten   | undo: fell_back                      |
 /// | 7, 8 fault           | read LFT                   | read LFT            | read LFT                             |
 /// | in local control     | end: local_control         | undo: local_control | undo: local_control                  |
-/// | STOP key, newly      |                            | undo: stop_key      | undo: stop_key                       |
+/// | STOP key, newly      | ordered here: end: stop_key | undo: stop_key     | undo: stop_key                       |
 ///
+/// A fault and the key end the meeting at once, local control behind the check.
 /// A wait ends with another read of ETA. While confirming, a state below the one read last has fallen back. In
 /// looking_again, another state than 2 was commanded by somebody else. In reading_fault "undo" writes nothing unless the
 /// word to run was sent. What shows a loss of power is read last before that word (CMD, 00F0 then), and first after it (the
@@ -120,7 +121,7 @@ public:
             return clear_behind(examine(what, reference_, true), what.word());
         }
         switch (what.what()) {
-        case event::kind::begun: return read(stage::meeting, layout().eta);
+        case event::kind::begun: note_ordered(what.word() != 0); return read(stage::meeting, layout().eta);
         case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : on_response(what.word());
         case event::kind::written: return after_write();
         case event::kind::pause_over: return read(stage::confirming, layout().eta);
@@ -165,10 +166,16 @@ private:
     constexpr action meet(event what) noexcept
     {
         stage_ = stage::examining;
-        static_cast<void>(is_key_pressed(what.word()));
+        outcome_kind const found = order_procedure::meet(what.word());
         cia402::state const at = note(what.word());
-        if (cia402::has_power(at) and not cia402::is_in_fault(at)) {
+        if (found == outcome_kind::in_fault) {
+            return judge(what.word());
+        }
+        if (cia402::has_power(at)) {
             return end_running(); // whoever stops it meanwhile
+        }
+        if (found == outcome_kind::stop_key) {
+            return abort(found);
         }
         return clear_behind(examine({event::kind::begun}, reference_, true), what.word());
     }
@@ -181,7 +188,7 @@ private:
         }
         stage_ = stage::looking;
         reference_ = signed_for_drive(reference_);
-        return judge(status);
+        return judge(as_met(status));
     }
 
     constexpr action after_write() noexcept

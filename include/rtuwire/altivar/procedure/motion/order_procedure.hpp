@@ -71,6 +71,27 @@ protected:
         return is_new;
     }
 
+    /// Whether this client had ordered the motor to run when this order was given. The key that stopped it may be newer then.
+    constexpr void note_ordered(bool is_ordered) noexcept { was_ordered_ = is_ordered; }
+
+    /// The first status read: what ends the order before the check. The drive may leave such a state during the check, at the
+    /// drive or by its mains, and the motor would start by that.
+    constexpr outcome_kind meet(std::uint16_t status) noexcept
+    {
+        is_local_ = (status & remote_bit) == 0;
+        bool const is_pressed = is_key_pressed(status) and was_ordered_;
+        cia402::state const at = cia402::decode(status);
+        return cia402::is_in_fault(at)                                 ? outcome_kind::in_fault
+               : is_pressed and at != cia402::state::operation_enabled ? outcome_kind::stop_key
+                                                                       : outcome_kind::pending;
+    }
+    /// A status read at the end of the check, of a drive that counts as in local control where it was met so: the check may
+    /// have found a better reason.
+    [[nodiscard]] constexpr std::uint16_t as_met(std::uint16_t status) const noexcept
+    {
+        return is_local_ ? static_cast<std::uint16_t>(status & ~remote_bit) : status;
+    }
+
     /// Keeps the drive's LFT; an outcome in fault reports it.
     constexpr void note_code(std::uint16_t code) noexcept { fault_ = code; }
 
@@ -105,6 +126,8 @@ private:
     outcome_kind kind_{outcome_kind::pending};
     errc error_{errc::none};
     bool shows_key_{false}; ///< at the last look
+    bool was_ordered_{false};
+    bool is_local_{false};
 };
 
 } // namespace rtuwire::altivar

@@ -97,7 +97,7 @@ private:
 ///
 /// | stage             | word read                 | confirmed  | no response | refused       | limit over          |
 /// |-------------------|---------------------------|------------|-------------|---------------|---------------------|
-/// | meeting           | a status, kept            |            | end: silent | end: refused  | end: aborted        |
+/// | meeting           | a status                  |            | end: silent | end: refused  | end: aborted        |
 /// | examining         | the check; then a status  |            | end: silent | as in a check | end: aborted        |
 /// | enabling          | a status                  | read ETA   | read ETA    | undo: refused | undo: state_timeout |
 /// | reading_direction | runs: write the reference |            | read ETA    | undo: refused | undo: state_timeout |
@@ -135,8 +135,10 @@ private:
 /// | 1, 6, or no state    | wait                | undo: fell_back          | undo: fell_back                      |
 /// | 7, 8 fault           | read LFT            | read LFT                 | read LFT                             |
 /// | in local control     | end: local_control  | undo: local_control      | undo: local_control                  |
-/// | STOP key, newly      |                     | undo: stop_key           | undo: stop_key                       |
+/// | STOP key, newly      | ordered here: end:  | undo: stop_key           | undo: stop_key                       |
+/// |                      | stop_key            |                          |                                      |
 ///
+/// A fault and the key end the meeting at once, local control behind the check.
 /// "Both" are the reference, then the control word; by one request where they are neighbours (CMD, LFR), which goes on
 /// as "checking". CHCF is read there only where the check found the drive profile in it. 000F that could not be sent
 /// for 0.5 s begins again with ETA, once. A reference without a confirmation may be that of a running motor. "As ever"
@@ -175,7 +177,7 @@ public:
             return next_step_after_check(examine(what, reference_, is_at_rest()), what.word());
         }
         switch (what.what()) {
-        case event::kind::begun: return to_read(layout().eta);
+        case event::kind::begun: note_ordered(what.word() != 0); return to_read(layout().eta);
         case event::kind::pause_over: return read_status();
         case event::kind::word_read:
             return stage_ == stage::meeting ? meet(what) : on_response(what.word(), what.second());
@@ -193,13 +195,20 @@ public:
 private:
     constexpr action read_status() noexcept { return once(to_read(layout().eta)); }
 
-    /// An earlier stop by the STOP key is shown until the drive runs, so it does not count. Another press meanwhile shows
-    /// nothing new: then the drive falls back, or does not follow in time.
+    /// An earlier stop by the STOP key is shown until the drive runs, so it counts only where this client had the motor
+    /// running. Another press meanwhile shows nothing new: then the drive falls back, or does not follow in time.
     constexpr action meet(event what) noexcept
     {
         stage_ = stage::examining;
-        static_cast<void>(is_key_pressed(what.word()));
         last_ = cia402::decode(what.word());
+        outcome_kind const found = order_procedure::meet(what.word());
+        if (found == outcome_kind::in_fault) {
+            return judge(what.word());
+        }
+        if (found == outcome_kind::stop_key) {
+            static_cast<void>(note(what.word()));
+            return abort(found);
+        }
         return next_step_after_check(examine({event::kind::begun}, reference_, is_at_rest()), what.word());
     }
 
@@ -213,7 +222,7 @@ private:
             return what_of(next) == action_kind::end ? abort(reason().kind, reason().error) : next;
         }
         stage_ = stage::enabling;
-        return judge(status);
+        return judge(as_met(status));
     }
 
     constexpr action on_response(std::uint16_t word, std::uint16_t second) noexcept
