@@ -5,6 +5,8 @@
 
 #include "support/catch.hpp"
 
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;
@@ -100,6 +102,20 @@ TEST_CASE("rule 29: a commander asks its silent unit now and then, but for its w
     it.asks(0, one);
     CHECK_FALSE(it.link.is_silent(0));
     CHECK(it.says(one, effect::none));
+}
+
+TEST_CASE("rules 29 and 41: neither a silent unit nor the rest of a slot holds back the broadcast that takes the power")
+{
+    bus_desk it;
+    it.link.set(0, {.with = {.response_timeout = milliseconds(100)}, .least_idle = milliseconds(500)});
+    cycle one{3};
+    REQUIRE(it.says(one, effect::none));
+    it.pass(milliseconds(200));
+    it.asks(0, one);
+    REQUIRE(it.link.is_silent(0));
+    it.pass(milliseconds(10));
+    auto all = altivar::broadcast_freewheel<altivar::atv320::device>();
+    CHECK(it.asks(0, all));
 }
 
 TEST_CASE("rule 31: a silent unit is asked only where that ends before two thirds of an ordered "

@@ -286,8 +286,8 @@ private:
         }
     }
 
-    /// Whether a conversation must wait in its slot. A stop request need not wait; a conversation that commands a
-    /// motor does not wait because of another unit that was asked in this slot before.
+    /// Whether a conversation must wait in its slot. A stop request need not wait, nor a broadcast that takes the power; a
+    /// conversation that commands a motor does not wait because of another unit that was asked in this slot before.
     template <typename Conversation>
     constexpr bool is_held_back(Conversation const& conversation, std::size_t index, instant now) noexcept
     {
@@ -298,7 +298,7 @@ private:
                 return false;
             }
         }
-        return is_held_back(index, now);
+        return not frees_all_units<Conversation> and is_held_back(index, now);
     }
 
     /// A third of the drive's time-out is left for the turns of others after a probe.
