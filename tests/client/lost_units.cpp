@@ -317,6 +317,37 @@ TEST_CASE("rule 40: an ordered unit whose stop was given up is silent until its 
     CHECK(of.it.runs(of.one) == errc::none);
 }
 
+TEST_CASE("rule 40: what else ends the order of a unit that is left does not put its loss off")
+{
+    left_alone of;
+    of.one.tolerates = 1;
+    REQUIRE(of.it.does(of.one, effect::enabling) == errc::none);
+    hand_commander stop{3};
+    stop.note_stop();
+    of.it.see(stop);
+    of.it.pass(600'000);
+    for (unsigned pass = 0; pass < 4; ++pass) {
+        of.it.pass(100);
+    }
+    constexpr std::uint64_t rare = 4'700'000; // of a drive whose time-out is 5 s
+    auto const reads = [&](bool is_answered) {
+        of.it.pass(rare);
+        of.poll.most = of.poll.number + 1;
+        of.it.link.converse(of.poll, of.it.now());
+        REQUIRE(of.it.leaves());
+        is_answered ? of.it.hear(response_to(of.it.left)) : of.it.pass(200'000);
+        of.it.link.converse(of.poll, of.it.now());
+    };
+    REQUIRE(of.asks());
+    reads(true);
+    reads(false);
+    of.it.pass(1'000'000); // behind its time-out
+    REQUIRE_FALSE(of.it.is_lost(3));
+    of.it.pass(0);
+    reads(true);
+    CHECK(of.it.is_lost(3));
+}
+
 TEST_CASE("rule 40: beside a stop that was given up another commander may stop its unit")
 {
     left_alone of;

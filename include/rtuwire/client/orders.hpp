@@ -771,11 +771,15 @@ private:
     }
 
     /// Nobody's order or stop holds an ordered unit any more. A commander that looks at it now may still see its power gone.
+    /// One that was left before has no more answers.
     static constexpr void leave(unit_order& own, instant now) noexcept
     {
         bool const may_run = own.is_ordered and not own.is_lost and now - own.on_line <= own.silence;
-        own.looks_left = own.answers_left == 0 ? most_looks : own.looks_left; // else it was left before
-        own.answers_left = may_run ? most_answers : std::uint8_t{0};
+        if (own.answers_left == 0) { // else it was left before
+            own.answers_left = most_answers;
+            own.looks_left = most_looks;
+        }
+        own.answers_left = may_run ? own.answers_left : std::uint8_t{0};
     }
 
     /// An answer of a unit that nobody holds: whether it was the last one.
