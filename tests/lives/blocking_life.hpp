@@ -14,7 +14,6 @@
 #include "lives/judge.hpp"
 #include "lives/wire.hpp"
 
-#include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
 #include <rtuwire/client/blocking.hpp>
 
 namespace rtuwire::lives {
@@ -217,7 +216,7 @@ private:
 
     template <typename Device> void stop_one()
     {
-        auto const how = any_way<Device>();
+        auto const how = static_cast<a::stop_by>(chance_.below(5));
         auto const begin = chance_.below(2) == 0 ? a::stop_begin::at_once : a::stop_begin::look_first;
         duration const limit = milliseconds(chance_.below(3) == 0 ? 300U + chance_.below(2'000) : 30'000U);
         port_.say("way %d, looks first %d", static_cast<int>(how), int{begin == a::stop_begin::look_first});
@@ -244,13 +243,6 @@ private:
         }
     }
 
-    template <typename Device> a::stop_by any_way()
-    {
-        auto const how = static_cast<a::stop_by>(chance_.below(5));
-        bool const has_none = (how == a::stop_by::dc_injection and Device::layout.dc_injection == 0) or
-                              (how == a::stop_by::halt and Device::layout.halt == 0);
-        return has_none ? a::stop_by::ramp : how;
-    }
     a::broadcast_stop_options any_broadcast()
     {
         return {

@@ -337,12 +337,15 @@ private:
             base::run_in(2 * i);
         }
         base::pass(1'000'000 + chance_.below(2'000'000));
-        if (chance_.below(6) == 0) {
+        std::uint32_t const way = chance_.below(6);
+        if (way == 0) {
             give_up_everyone();
+        } else if (way == 1) {
+            free_everyone();
         }
         bool is_watched = false;
         for (std::size_t i = 0; i < how_.drives; ++i) {
-            is_watched = give_up(i) or is_watched;
+            is_watched = give_up(i, way < 2 ? 3 : chance_.below(3)) or is_watched;
         }
         read_on(is_watched);
     }
@@ -351,21 +354,55 @@ private:
     {
         counts_.note(event::stop_of_everyone_given_up);
         base::stop_all();
-        base::pass(1 + chance_.below(200'000));
+        base::pass(before_it_is_given_up());
         base::destroy_everyone();
+        release_soon(0);
     }
 
-    /// Whether an order goes on.
-    bool give_up(std::size_t unit)
+    void free_everyone()
+    {
+        constexpr std::size_t place = 1;
+        base::begin_freewheel(place, 0);
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            node& own = *nodes_[i];
+            own.misses_broadcast = chance_.below(2) == 0;
+            if (own.misses_broadcast and own.law.has_power()) {
+                counts_.note(event::freed_unheard);
+                said_.say("drive %u will not hear it", how_.drive[i].address);
+            }
+        }
+        for (unsigned passes = 0; passes < 100 and not slots_[place].has_told; ++passes) {
+            base::pass(50'000);
+        }
+        for (auto const& each : nodes_) {
+            each->misses_broadcast = false;
+        }
+    }
+
+    /// Half of them within 5 ms: most of these have not sent a word.
+    moment before_it_is_given_up() { return 1 + chance_.below(chance_.below(2) == 0 ? 200'000 : 5'000); }
+
+    /// Before a stop that was given up counts as that.
+    void release_soon(std::size_t unit)
+    {
+        if (chance_.below(2) == 0) {
+            counts_.note(event::released_at_once);
+            base::pass(chance_.below(400'000));
+            base::release(unit);
+        }
+    }
+
+    /// In one of three ways, or behind all of them. Whether an order goes on.
+    bool give_up(std::size_t unit, std::uint32_t way)
     {
         std::size_t const place = 2 * unit;
         std::size_t const other = place + 1;
-        std::uint32_t const way = chance_.below(3);
         if (way == 0) { // a stop beside it
             counts_.note(event::stop_given_up);
             base::begin_stop(other, unit, base::any_way());
-            base::pass(1 + chance_.below(200'000));
+            base::pass(before_it_is_given_up());
             base::stay_away_or_destroy(other);
+            release_soon(unit);
         } else if (way == 1 and base::stops_in(place)) {
             counts_.note(event::cycle_given_up);
             base::pass(1 + chance_.below(200'000));
@@ -391,12 +428,14 @@ private:
         }
         moment const end = now_ + (is_rare ? 8 : 1) * longest + 16'000'000;
         bool has_power = true;
+        bool const orders_anew = chance_.below(2) == 0;
         while (now_ < end and not wrong_ and has_power) {
             base::pass(100'000);
             has_power = false;
             for (std::size_t i = 0; i < how_.drives; ++i) {
                 has_power = has_power or nodes_[i]->law.has_power();
-                if (nodes_[i]->law.is_left() and nodes_[i]->law.has_power() and chance_.below(30) == 0) {
+                if (orders_anew and nodes_[i]->law.is_left() and nodes_[i]->law.has_power() and
+                    chance_.below(30) == 0) {
                     base::order_and_leave(2 * i, i);
                 }
             }

@@ -11,6 +11,7 @@
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
 #include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/altivar/procedure/motion/change_reference.hpp>
 #include <rtuwire/altivar/procedure/motion/direct_control.hpp>
@@ -24,6 +25,7 @@ namespace rtuwire::lives {
 namespace a = altivar;
 
 using poll = single_request<read_holding_registers>;
+using freewheel = a::freewheel_request;
 
 /// The usual words of two scanners.
 using scanner_of_atv320 = a::configure_scanner<a::scanner_inputs<a::atv320::eta, a::atv320::rfrd>,
@@ -33,9 +35,9 @@ using scanner_of_atv12 = a::configure_scanner<a::scanner_inputs<a::atv12::eta, a
 
 using conversation =
     std::variant<std::monostate, a::start, a::stop, a::change_reference, a::reset_fault, a::save_to_eeprom,
-                 scanner_of_atv320, scanner_of_atv12, poll, a::atv28::direct_start, a::cyclic<a::atv310::device>,
-                 a::cyclic<a::atv310::device_2026>, a::cyclic<a::atv320::device>, a::cyclic<a::atv12::device>,
-                 a::cyclic<a::atv28::device>>;
+                 scanner_of_atv320, scanner_of_atv12, poll, freewheel, a::atv28::direct_start,
+                 a::cyclic<a::atv310::device>, a::cyclic<a::atv310::device_2026>, a::cyclic<a::atv320::device>,
+                 a::cyclic<a::atv12::device>, a::cyclic<a::atv28::device>>;
 
 template <typename T> inline constexpr bool is_cyclic = false;
 template <typename Device> inline constexpr bool is_cyclic<a::cyclic<Device>> = true;

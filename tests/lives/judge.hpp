@@ -123,9 +123,26 @@ public:
     /// A stop of everyone was given up.
     void note_left(moment now)
     {
-        word_due_since_ = 0;
+        note_word_given_up();
         is_ordered_here_ ? leave(now) : void(is_orphan_ = true);
     }
+    /// One broadcast was to free all motors, and this drive may not have heard it. Orders that were given since it began may count.
+    void note_freed(moment now, moment begun)
+    {
+        std::array<order, places> const given = orders_;
+        note_stop(now, false);
+        note_word_given_up();
+        for (std::size_t i = 0; i < places; ++i) {
+            if (given[i].is_there and given[i].at >= begun) {
+                orders_[i] = given[i];
+                ordered_at_ = std::max(ordered_at_, given[i].at);
+            }
+        }
+        if (has_power_ and not has_order()) {
+            note_left(now);
+        }
+    }
+    void note_word_given_up() { word_due_since_ = 0; }
     /// A conversation that commands nothing was answered.
     void note_plain_response(moment now)
     {

@@ -289,6 +289,8 @@ private:
             }
         } else if constexpr (std::is_same_v<Conversation, poll>) {
             hear_poll(own, what);
+        } else if constexpr (std::is_same_v<Conversation, freewheel>) {
+            hear_freewheel(own, what);
         } else if (what.settled() and not own.has_told) {
             own.has_told = true;
             said_.say("place %zu is told: %d, error %d", place, static_cast<int>(what.reason().kind),
@@ -315,6 +317,18 @@ private:
             own.has_told = false;
             own.due = now_ + own.pace;
             what.again();
+        }
+    }
+
+    /// From its request on, which left since it began, no order counts that was given before.
+    void hear_freewheel(slot& own, freewheel& what)
+    {
+        if (what.settled() and not own.has_told) {
+            own.has_told = true;
+            said_.say("the motors are freed: error %d", static_cast<int>(what.outcome().error()));
+            for (auto const& each : nodes_) {
+                what.outcome() ? each->law.note_freed(now_, own.began) : each->law.note_word_given_up();
+            }
         }
     }
 
@@ -391,7 +405,8 @@ private:
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             node& each = *nodes_[i];
             bool const is_meant = frame[0] == std::byte{0} or frame[0] == std::byte{how_.drive[i].address};
-            bool const is_lost = is_meant ? each.loses(true, chance_) : each.lost.requests;
+            bool const is_missed = frame[0] == std::byte{0} and std::exchange(each.misses_broadcast, false);
+            bool const is_lost = (is_meant ? each.loses(true, chance_) : each.lost.requests) or is_missed;
             if (is_meant) {
                 said_.frame("->", frame, is_lost ? "  lost" : "", &each);
                 accuse(each.law.note_request(frame, now_, not is_lost), i);

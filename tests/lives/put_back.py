@@ -21,7 +21,8 @@ from changed_headers import PROJECT, changed_copy, try_all  # noqa: E402
 RUNNER = "altivar/procedure/procedure_runner.hpp"
 DIRECT = "altivar/procedure/motion/direct_control.hpp"
 START = "altivar/procedure/motion/start.hpp"
-ORDERS, BLOCKING = "client/orders.hpp", "client/blocking.hpp"
+STOP = "altivar/procedure/motion/stop.hpp"
+ORDERS, BLOCKING, BUS = "client/orders.hpp", "client/blocking.hpp", "client/bus.hpp"
 
 MOVED = {"a motor got power without an order", "a word that enables left"}
 POWER = {"power too long"}
@@ -89,13 +90,42 @@ DEFECTS = [
     ], {*MOVED, *POWER}, 2),
     Defect("A a stop that is given up before its end holds on", [
         (ORDERS, "if (is_held and (is_over or", "if (false and is_held and (is_over or")], LEFT),
+    Defect("B a stop that is given up and released at once leaves its motor to reads", [
+        (ORDERS, """        own.was_lost = false;
+        leave(own, own.on_line);
+""", "        own.was_lost = false;\n"),
+        (ORDERS, """            note_none_counts();
+            leave_all();
+""", "            note_none_counts();\n"),
+    ], LEFT, 3),
+    Defect("B broadcast_freewheel that is not heard leaves a motor to reads", [
+        (ORDERS, """            each.silence_end = asked_ + each.silence;
+        }
+        leave_all();
+""", """            each.silence_end = asked_ + each.silence;
+        }
+""")], LEFT, 3),
+    Defect("the loss of a motor that is left is put off", [
+        (ORDERS, "own.answers_left == 0 ? most_answers : own.answers_left;", "most_answers;")], LEFT, 3),
+    Defect("broadcast_freewheel waits while a unit is lost", [
+        ("client/client.hpp", "return frees_all_units<Conversation> ? effect::stopping : effect::none;", "return effect::none;")],
+        {"a stop whose word"}),
+    Defect("broadcast_freewheel waits in a slot of a silent unit", [
+        (BUS, "return not frees_all_units<Conversation> and is_held_back(index, now);", "return is_held_back(index, now);")],
+        {"a stop whose word"}),
+    Defect("a stop that the drive does not have sends nothing", [
+        (STOP, """        if (not detail::has_stop(layout(), mode_)) {
+            return stop_blind();
+""", """        if (not detail::has_stop(layout(), mode_)) {
+            return end(outcome_kind::misconfigured);
+""")], {"a stop whose word"}),
     Defect("C a time that is over for half the counter lies ahead: a pass that waits", [
         (BLOCKING, "engine.judged_at(now));\n    return receive_from(port, engine, place, *earlier",
          "now);\n    return receive_from(port, engine, place, *earlier")], {"a wait of a blocking client"}),
     Defect("D a pause of the program is a line that is jammed", [
         (BLOCKING, "part_of(limit, until - std::exchange(now, until))", "(until - std::exchange(now, until))")], {"a stop whose word"}),
     Defect("E a read that fails ends a stop before its word", [
-        (BLOCKING, "has_to_stop<Conversation> and passed != errc::bus_jam;", "false;")], {"a stop whose word"}),
+        (BLOCKING, "has_to_stop(conversation) and passed != errc::bus_jam;", "false;")], {"a stop whose word"}),
     Defect("a pause of the program ends a stop before its word", [
         (BLOCKING, "part_of(longest_wait, now - std::exchange(seen, now))", "(now - std::exchange(seen, now))")], {"a stop whose word"}),
     Defect("D29 a direct start reads the command before the status", [

@@ -29,11 +29,12 @@ public:
     {
         std::size_t const place = chance_.below(slots);
         std::size_t const unit = chance_.below(static_cast<std::uint32_t>(how_.drives));
-        switch (chance_.below(28)) {
+        switch (chance_.below(29)) {
         case 24:
         case 25:
         case 26:
         case 27: return use_again(place);
+        case 28: return begin_freewheel(place, unit);
         case 0:
         case 1:
         case 2:
@@ -88,6 +89,11 @@ protected:
             return counts_.note(event::destroyed);
         }
         bool is_over = own.has_told;
+        if (std::holds_alternative<freewheel>(own.what) and not is_over) {
+            for (auto const& each : nodes_) {
+                each->law.note_word_given_up();
+            }
+        }
         bool is_commanding = true;
         std::visit(
             [&](auto& what) {
@@ -199,19 +205,28 @@ protected:
 
     void begin_stop(std::size_t place, std::size_t unit, a::stop_by how)
     {
-        altivar::drive_layout const& profile = nodes_[unit]->drive->profile();
-        bool const has_none = (how == a::stop_by::dc_injection and profile.dc_injection == 0) or
-                              (how == a::stop_by::halt and profile.halt == 0);
-        how = has_none ? a::stop_by::ramp : how;
-        count_stop(how);
+        count_stop(how); // one that the drive does not have becomes the ramp
+        bool const is_halt = how == a::stop_by::halt and nodes_[unit]->drive->profile().halt != 0;
         auto const begin = chance_.below(2) == 0 ? a::stop_begin::at_once : a::stop_begin::look_first;
         with_device(set_of(unit).called, [&]<typename Device>(Device) {
             put(place, unit, a::stop{station_of<Device>(set_of(unit)), how, any_limit(), begin});
         });
-        slots_[place].is_halt = how == a::stop_by::halt;
+        slots_[place].is_halt = is_halt;
         said_.say("stop in place %zu: drive %u, way %d", place, set_of(unit).address, static_cast<int>(how));
-        law_of(unit).note_stop(now_, how == a::stop_by::halt);
+        law_of(unit).note_stop(now_, is_halt);
         law_of(unit).note_word_due(now_);
+    }
+
+    /// One broadcast to all drives that have their control word where this one has it.
+    void begin_freewheel(std::size_t place, std::size_t unit)
+    {
+        counts_.note(event::freed_everyone);
+        with_device(set_of(unit).called,
+                    [&]<typename Device>(Device) { put(place, unit, a::broadcast_freewheel<Device>()); });
+        said_.say("all motors are freed from place %zu", place);
+        for (auto const& each : nodes_) {
+            each->law.note_word_due(now_);
+        }
     }
 
     /// One that has ended begins anew; what orders is a new order, and a stop stops again.
@@ -487,15 +502,21 @@ protected:
         if (chance_.below(2) == 0) {
             counts_.note(event::stayed_away);
             said_.say("place %zu stays away", place);
-            give_up_for_good(place);
-            return;
+            return give_up_for_good(place);
         }
         counts_.note(event::released);
-        said_.say("drive %u is released", set_of(unit).address);
+        release(unit);
+    }
+
+    void release(std::size_t unit)
+    {
+        bool const is_all = chance_.below(4) == 0;
+        said_.now = now_;
+        said_.say(is_all ? "all drives are released" : "drive %u is released", set_of(unit).address);
         if constexpr (base::has_slots) {
-            link_.release(*unit_id::checked(set_of(unit).address));
+            is_all ? link_.release_all() : link_.release(*unit_id::checked(set_of(unit).address));
         } else {
-            link_.motor_orders().release(set_of(unit).address);
+            is_all ? link_.motor_orders().release_all() : link_.motor_orders().release(set_of(unit).address);
         }
     }
 

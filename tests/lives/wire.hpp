@@ -41,6 +41,7 @@ struct node {
     std::unique_ptr<far_drive> drive;
     judge law;
     losses lost{};
+    bool misses_broadcast{false}; ///< the next one
     unsigned passed{0};
     std::array<std::byte, max_adu_size> response{};
     std::size_t response_size{0}; ///< of one that has not left
