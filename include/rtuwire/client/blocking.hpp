@@ -128,6 +128,7 @@ public:
     /// next `ask`. Errors: those of encoding, an exception of the unit, those of the client, those of the port.
     template <typename To, pdu Request> result<typename Request::response> ask(To to, Request const& request) &
     {
+        static_assert(not std::same_as<To, broadcast_t>, "a broadcast has no response: use send_broadcast");
         single_request conversation{to, request};
         auto const outcome = run(conversation);
         if (not outcome) {

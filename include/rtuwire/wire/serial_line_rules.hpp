@@ -19,15 +19,16 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 class file_runs;
-struct read_exception_status;
-template <typename Words = register_view> struct diagnostics;
-struct get_comm_event_counter;
-struct get_comm_event_log;
-struct report_server_id;
-template <typename Runs = file_runs> struct read_file_record;
-template <typename Words = register_view> struct write_file_record;
-struct read_fifo_queue;
-struct read_device_identification;
+// A compiler shows the line, and with it the header to include.
+struct read_exception_status;                                       // <rtuwire/serial_line.hpp>
+template <typename Words = register_view> struct diagnostics;       // <rtuwire/serial_line.hpp>
+struct get_comm_event_counter;                                      // <rtuwire/serial_line.hpp>
+struct get_comm_event_log;                                          // <rtuwire/serial_line.hpp>
+struct report_server_id;                                            // <rtuwire/serial_line.hpp>
+template <typename Runs = file_runs> struct read_file_record;       // <rtuwire/serial_line.hpp>
+template <typename Words = register_view> struct write_file_record; // <rtuwire/serial_line.hpp>
+struct read_fifo_queue;                                             // <rtuwire/serial_line.hpp>
+struct read_device_identification;                                  // <rtuwire/serial_line.hpp>
 
 /// Where a function's row stands: in the class of its request, or here.
 /// Internal.
