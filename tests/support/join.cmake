@@ -3,8 +3,13 @@
 # Most of a test's time to compile goes for what it includes: joined, the tests of a room take a tenth. Where they are not
 # (.ci/nightly alone-libcxx), each shows that it includes what it uses.
 
-# Puts what is compiled for `sources` in VARIABLE: files that include them, and those that can't be joined.
+# Puts what is compiled for `sources` in VARIABLE: files that include them, and those that can't be joined; the sources
+# themselves without RTUWIRE_COMPILE_JOINED.
 function(join_sources variable room)
+    if(NOT RTUWIRE_COMPILE_JOINED)
+        set(${variable} ${ARGN} PARENT_SCOPE)
+        return()
+    endif()
     set(join "${RTUWIRE_PYTHON}" -B "${PROJECT_SOURCE_DIR}/tests/support/join.py")
     execute_process(COMMAND ${join} --groups ${ARGN} OUTPUT_VARIABLE groups OUTPUT_STRIP_TRAILING_WHITESPACE
         COMMAND_ERROR_IS_FATAL ANY)
