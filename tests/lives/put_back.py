@@ -94,9 +94,10 @@ DEFECTS = [
         (ORDERS, """        own.was_lost = false;
         leave(own, own.on_line);
 """, "        own.was_lost = false;\n"),
-        (ORDERS, """            note_none_counts();
+        (ORDERS, """            holder_of_all_ = 0;
+            note_none_counts();
             leave_all();
-""", "            note_none_counts();\n"),
+""", "            holder_of_all_ = 0;\n            note_none_counts();\n"),
     ], LEFT, 3),
     Defect("B broadcast_freewheel that is not heard leaves a motor to reads", [
         (ORDERS, """            each.silence_end = asked_ + each.silence;
@@ -106,7 +107,7 @@ DEFECTS = [
         }
 """)], LEFT, 3),
     Defect("the loss of a motor that is left is put off", [
-        (ORDERS, "own.answers_left == 0 ? most_answers : own.answers_left;", "most_answers;")], LEFT, 3),
+        (ORDERS, "if (own.answers_left == 0) { // else it was left before", "{")], LEFT, 3),
     Defect("broadcast_freewheel waits while a unit is lost", [
         ("client/client.hpp", "return frees_all_units<Conversation> ? effect::stopping : effect::none;", "return effect::none;")],
         {"a stop whose word"}),
