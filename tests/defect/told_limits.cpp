@@ -17,6 +17,8 @@
 using namespace rtuwire;
 using namespace rtuwire::altivar;
 using test::plant;
+using test::speed;
+using test::tenths;
 using kind = outcome_kind;
 
 namespace {
@@ -45,15 +47,6 @@ template <typename Device, typename Conversation> void check_least_step(plant<De
     CHECK(conversation.reason().kind == kind::succeeded);
     CHECK(seen.highest <= 0);
     CHECK(static_cast<std::int16_t>(it.far().word("LFR")) == -1);
-}
-
-template <typename Device> auto tenths(int count)
-{
-    return *setting<Device::frequency_reference>::checked(signed_decihertz{static_cast<std::int16_t>(count)});
-}
-template <typename Device> auto speed(int count)
-{
-    return *setting<Device::speed_reference>::checked(signed_rpm{static_cast<std::int16_t>(count)});
 }
 
 } // namespace

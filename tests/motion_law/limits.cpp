@@ -18,6 +18,8 @@
 using namespace rtuwire;
 using namespace rtuwire::altivar;
 using test::plant;
+using test::speed;
+using test::tenths;
 using kind = outcome_kind;
 
 namespace {
@@ -64,15 +66,6 @@ template <typename Device> struct limited_plant : plant<Device> {
         return conversation.reason();
     }
 };
-
-template <typename Device> auto tenths(int count)
-{
-    return *setting<Device::frequency_reference>::checked(signed_decihertz{static_cast<std::int16_t>(count)});
-}
-template <typename Device> auto speed(int count)
-{
-    return *setting<Device::speed_reference>::checked(signed_rpm{static_cast<std::int16_t>(count)});
-}
 
 } // namespace
 

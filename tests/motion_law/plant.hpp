@@ -22,6 +22,16 @@ inline constexpr client_options plant_policy{.response_timeout = milliseconds(10
 inline constexpr duration usual_limit = milliseconds(3'000);
 inline constexpr altivar::supervision_options within_limits{.beyond = altivar::beyond_limits::limit};
 
+/// References of a drive in 0.1 Hz and in rpm, by numbers.
+template <typename Device> auto tenths(int count)
+{
+    return *setting<Device::frequency_reference>::checked(signed_decihertz{static_cast<std::int16_t>(count)});
+}
+template <typename Device> auto speed(int count)
+{
+    return *setting<Device::speed_reference>::checked(signed_rpm{static_cast<std::int16_t>(count)});
+}
+
 /// The lowest and the highest frequency of a motor, in mHz.
 struct seen_frequencies {
     std::int32_t lowest;

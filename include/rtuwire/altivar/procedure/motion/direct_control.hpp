@@ -166,7 +166,7 @@ private:
     constexpr action meet(event what) noexcept
     {
         stage_ = stage::examining;
-        outcome_kind const found = order_procedure::meet(what.word());
+        outcome_kind const found = first_look(what.word());
         cia402::state const at = note(what.word());
         if (found == outcome_kind::in_fault) {
             return judge(what.word());

@@ -61,8 +61,8 @@ protected:
     }
 
     /// Whether the STOP key was pressed since the status read before. A drive that was stopped by the key earlier shows
-    /// it until it runs: the result for the first status read is nothing new, and the caller discards it. A second press
-    /// while the first is shown cannot be seen here.
+    /// it until it runs: for the first status read `first_look` says what that means. A second press while the first is
+    /// shown cannot be seen here.
     constexpr bool is_key_pressed(std::uint16_t status) noexcept
     {
         bool const is_shown = (status & stop_key_bit) != 0;
@@ -71,12 +71,12 @@ protected:
         return is_new;
     }
 
-    /// Whether this client had ordered the motor to run when this order was given. The key that stopped it may be newer then.
+    /// Whether this client had ordered the motor to run when this order was given: then the key may have stopped it since.
     constexpr void note_ordered(bool is_ordered) noexcept { was_ordered_ = is_ordered; }
 
     /// The first status read: what ends the order before the check. The drive may leave such a state during the check, at the
     /// drive or by its mains, and the motor would start by that.
-    constexpr outcome_kind meet(std::uint16_t status) noexcept
+    constexpr outcome_kind first_look(std::uint16_t status) noexcept
     {
         is_local_ = (status & remote_bit) == 0;
         bool const is_pressed = is_key_pressed(status) and was_ordered_;
@@ -85,8 +85,8 @@ protected:
                : is_pressed and at != cia402::state::operation_enabled ? outcome_kind::stop_key
                                                                        : outcome_kind::pending;
     }
-    /// A status read at the end of the check, of a drive that counts as in local control where it was met so: the check may
-    /// have found a better reason.
+    /// A status read at the end of the check. A drive that was in local control at first still counts as being so; only here,
+    /// for the check may have named a better reason.
     [[nodiscard]] constexpr std::uint16_t as_met(std::uint16_t status) const noexcept
     {
         return is_local_ ? static_cast<std::uint16_t>(status & ~remote_bit) : status;

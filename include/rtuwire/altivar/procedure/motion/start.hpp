@@ -201,7 +201,7 @@ private:
     {
         stage_ = stage::examining;
         last_ = cia402::decode(what.word());
-        outcome_kind const found = order_procedure::meet(what.word());
+        outcome_kind const found = first_look(what.word());
         if (found == outcome_kind::in_fault) {
             return judge(what.word());
         }
