@@ -234,6 +234,82 @@ TEST_CASE("rule 41: a broadcast that takes the power is sent while a unit is los
     check_silence_until(of, unit_id{3}, last + silence);
 }
 
+namespace {
+
+/// A stop that says its word again as soon as it knows that the one before had no response.
+struct repeated_stop : hand_commander {
+    using hand_commander::hand_commander;
+    void accept(result<response> const& outcome)
+    {
+        hand_commander::accept(outcome);
+        has_request = true;
+    }
+};
+
+} // namespace
+
+TEST_CASE("rule 41: words to a lost unit do not keep back the broadcast that takes the power")
+{
+    for (bool const is_first : {false, true}) {
+        INFO(is_first);
+        loss of;
+        repeated_stop stop{3};
+        stop.note_stop();
+        REQUIRE(of.it.says(stop, effect::stopping));
+        auto all = altivar::broadcast_freewheel<altivar::atv320::device>();
+        unsigned before = 0;
+        bool is_freed = false;
+        for (unsigned pass = 0; pass < 20 and not is_freed; ++pass) {
+            if (is_first) {
+                of.it.link.converse(all, of.it.now());
+            }
+            of.it.link.converse(stop, of.it.now());
+            if (not is_first) {
+                of.it.link.converse(all, of.it.now());
+            }
+            if (of.it.leaves()) {
+                is_freed = of.it.left[0] == std::byte{0};
+                before += is_freed ? 0 : 1;
+            }
+            of.it.pass(pass % 2 == 0 ? 120'000 : 100);
+        }
+        CHECK(is_freed);
+        CHECK(before == 0);
+    }
+}
+
+TEST_CASE("rule 41: the broadcast that takes the power lets a request that has left have its response, and is next")
+{
+    command_desk<2> it;
+    series asked{[](unsigned) { return read_of(5, 3'201); }, 1}, waiting{[](unsigned) { return read_of(6, 3'201); }};
+    it.link.converse(asked, it.now());
+    REQUIRE(it.leaves());
+    auto all = altivar::broadcast_freewheel<altivar::atv320::device>();
+    it.pass(20'000);
+    it.link.converse(waiting, it.now());
+    it.link.converse(all, it.now());
+    it.hear(response_to(it.left));
+    it.link.converse(asked, it.now());
+    CHECK(asked.answered == 1);
+    it.link.converse(waiting, it.now()); // it came first
+    CHECK_FALSE(it.leaves());
+    it.link.converse(all, it.now());
+    REQUIRE(it.leaves());
+    CHECK(it.left[0] == std::byte{0});
+    it.pass(100'000);
+    it.link.converse(all, it.now());
+    REQUIRE(all.outcome());
+    for (unsigned request = 0; request < 3; ++request) { // once settled, it keeps nobody from the line
+        it.link.converse(waiting, it.now());
+        REQUIRE(it.leaves());
+        it.link.converse(all, it.now());
+        it.hear(response_to(it.left));
+        it.link.converse(all, it.now());
+        it.link.converse(waiting, it.now());
+    }
+    CHECK(waiting.answered == 3);
+}
+
 TEST_CASE("rule 40: a stop of all units loses those that are ordered and not among its drives, while it broadcasts")
 {
     command_desk<3> it;

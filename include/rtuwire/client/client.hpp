@@ -303,7 +303,9 @@ public:
                     withdraw(conversation.unit().byte(), now); // its first request may be a read
                 }
             }
-            bool const is_due = may_ask and conversation.intent() == effect::stopping;
+        }
+        if constexpr (may_stop_motors<Conversation>) {
+            bool const is_due = may_ask and effect_of(conversation) == effect::stopping;
             if (is_due and not is_asked_by(conversation) and
                 check_order(conversation, effect::stopping) == errc::none) {
                 make_way_for(conversation, now);
@@ -431,7 +433,7 @@ private:
     template <typename Conversation>
     constexpr bool has_turn(Conversation& conversation, effect what, instant now) noexcept
     {
-        if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
+        if constexpr (may_stop_motors<Conversation>) {
             if (what == effect::stopping) {
                 return may_stop(conversation, unit_stopped_by(conversation), now);
             }
@@ -563,13 +565,18 @@ private:
         orders_.note_ordered(conversation);
     }
 
+    /// Whether a conversation's requests may be stop requests: these get the line first.
+    template <typename Conversation>
+    static constexpr bool may_stop_motors = commanding_conversation<Conversation> or stops_by_broadcast<Conversation> or
+                                            (Orders::is_kept and frees_all_units<Conversation>);
+
     /// What the next request of a conversation does to a motor.
     template <typename Conversation> static constexpr effect effect_of(Conversation const& conversation) noexcept
     {
         if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
             return conversation.intent();
         }
-        return frees_all_units<Conversation> ? effect::stopping : effect::none;
+        return frees_all_units<Conversation> and not conversation.settled() ? effect::stopping : effect::none;
     }
 
     template <typename Conversation>
@@ -634,7 +641,7 @@ private:
         bool may_cut = false;
         if constexpr (stops_by_broadcast<Conversation>) {
             may_cut = conversation.may_cut(asked_unit());
-        } else {
+        } else if constexpr (commanding_conversation<Conversation>) {
             may_cut = conversation.unit().byte() == asked_unit();
         }
         make_way_for(conversation, unit_stopped_by(conversation), may_cut, now);
