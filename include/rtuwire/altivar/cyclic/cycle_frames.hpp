@@ -13,7 +13,6 @@
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/exchange.hpp>
-#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
@@ -22,13 +21,13 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 template <drive_type Device> class cycle_frames {
     using words = cycle_layout<Device>;
 
-    static constexpr bool is_exchange = Device::cycle.by == function_code::read_write_multiple_registers;
+    static constexpr std::size_t around_words = words::fits_function_23 ? 13 : 9; ///< of a request that writes
     static constexpr std::size_t most_read =
         words::has_scanner and words::inputs < words::outputs ? words::outputs : words::inputs;
 
 public:
-    static constexpr frame_sizes longest{.request = (is_exchange ? 13U : 9U) + 2 * std::size_t{words::outputs},
-                                         .response = most_read < 2 ? 8 : 5 + 2 * most_read};
+    static constexpr frame_sizes longest{.request = around_words + 2 * std::size_t{words::outputs},
+                                         .response = 5 + 2 * most_read};
 
     explicit constexpr cycle_frames(unit_id unit) noexcept : unit_{unit} {}
 
@@ -104,9 +103,7 @@ private:
         return output_block_;
     }
 
-    static constexpr std::size_t frame_size = 13 + 2 * std::size_t{words::outputs};
-
-    std::array<std::byte, frame_size> frame_{};
+    std::array<std::byte, longest.request> frame_{};
     std::array<std::uint16_t, words::outputs> outputs_{};
     std::array<std::uint16_t, words::inputs> inputs_{};
     register_block<words::outputs> output_block_{};
