@@ -333,7 +333,7 @@ private:
             return abort(outcome_kind::overwritten);
         }
         if (shown_ == outcome_kind::reference_limited) {
-            note_limit(shows_limit_ ? kept_.kept_for(told_) : std::uint16_t{0});
+            note_limit(kept_.kept_for(told_)); // 0 where it was guessed
         }
         if (shown_ != outcome_kind::pending) {
             return end(shown_);
@@ -360,12 +360,12 @@ private:
             stage_ = stage::reading_direction;
             return once(to_read(layout().cmd));
         }
-        shows_limit_ = (status & reference_limited_bit) != 0;
-        bool const is_other = shows_limit_ or limits().is_guessed(told_, reference_);
+        bool const shows_limit = (status & reference_limited_bit) != 0;
+        bool const is_other = shows_limit or limits().is_guessed(told_, reference_);
         shown_ = is_other ? outcome_kind::reference_limited : outcome_kind::succeeded;
         kept_ = limits();
         bool const is_known = kept_.highest != reference_limits::unread or layout().hsp == 0;
-        return shows_limit_ and not is_known ? read_limit(stage::reading_highest, layout().hsp) : read_back();
+        return shows_limit and not is_known ? read_limit(stage::reading_highest, layout().hsp) : read_back();
     }
 
     [[gnu::noinline]] constexpr action read_limit(stage next, std::uint16_t address) noexcept
@@ -471,7 +471,6 @@ private:
     stage stage_{stage::meeting};
     sent_commands sent_{};
     bool has_tried_{false}; ///< the command to run was due
-    bool shows_limit_{false};
     bool is_contradictory_;
 };
 
