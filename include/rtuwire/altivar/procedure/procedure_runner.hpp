@@ -301,7 +301,7 @@ private:
         if (is_stop() and kind_->stop->looks_first(own(), was_known())) {
             return begin_look();
         }
-        step({event::kind::begun, is_unit_ordered() ? std::uint16_t{1} : std::uint16_t{0}});
+        step({event::kind::begun, std::uint16_t{is_unit_ordered()}});
     }
 
     constexpr void begin_look() noexcept
