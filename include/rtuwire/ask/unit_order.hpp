@@ -42,7 +42,7 @@ struct unit_order {
     std::uint32_t last_fault{0}; ///< of the last time that it was read in fault, or of the last stop of all units
     std::uint32_t rearranged{0}; ///< of the last request that rearranged it
     std::uint32_t holder{0};     ///< of the stop under way; 0: none
-    std::uint32_t looks_left{0}; ///< as `answers_left`, of all answers, one to a commander being several
+    std::uint32_t looks{0};      ///< all answers since it was left or told to stop, one to a commander being several
     std::uint16_t confirmed{0};  ///< the control word that was read to be that of the drive profile; 0: none
     std::uint16_t seen{0};       ///< when the stop under way visited last, in steps of 65.5 ms
     bool is_doubtful{false};     ///< it may have been without power since that was read

@@ -591,7 +591,7 @@ private:
                 own->words_end = asked_ + stop_words_after_loss;
             }
             own->silence = own->silence == duration{} ? drive_timeout + milliseconds(1'000) : own->silence;
-            own->looks_left = most_looks; // it follows its word
+            own->looks = 0; // it follows its word
         }
     }
 
@@ -777,7 +777,7 @@ private:
         bool const may_run = own.is_ordered and not own.is_lost and now - own.on_line <= own.silence;
         if (own.answers_left == 0) { // else it was left before
             own.answers_left = most_answers;
-            own.looks_left = most_looks;
+            own.looks = 0;
         }
         own.answers_left = may_run ? own.answers_left : std::uint8_t{0};
     }
@@ -785,9 +785,8 @@ private:
     /// An answer of a unit that nobody holds: whether it was the last one.
     constexpr bool was_last_answer(unit_order& own) const noexcept
     {
-        std::uint32_t const cost = is_by_commander_ ? look_of_a_commander : 1;
-        own.looks_left -= own.looks_left < cost ? own.looks_left : cost;
-        return own.looks_left == 0 or (not is_by_commander_ and --own.answers_left == 0);
+        own.looks += is_by_commander_ ? look_of_a_commander : 1;
+        return own.looks >= most_looks or (not is_by_commander_ and --own.answers_left == 0);
     }
 
     static constexpr std::uint16_t step_of(instant at) noexcept
