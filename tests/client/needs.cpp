@@ -180,6 +180,18 @@ STATIC_CHECK(
     fits<altivar::cyclic<device>, read_holding_registers, write_single_register, read_write_multiple_registers<>>);
 STATIC_CHECK(fits<single_request<raw_pdu<>>, read_coils>); // told when it is made
 
+/// A conversation whose type tells of these frames, on a client of 40 + 12 bytes.
+template <std::size_t Request, std::size_t Response> struct of_frames {
+    static constexpr frame_sizes longest_frames{.request = Request, .response = Response};
+};
+template <std::size_t Request, std::size_t Response>
+constexpr bool has_room = has_room_for<small, of_frames<Request, Response>>();
+
+STATIC_CHECK(has_room<8, 40> and not has_room<8, 41>);
+STATIC_CHECK(has_room<12, 40> and not has_room<12, 41>);
+STATIC_CHECK(has_room<13, 39> and not has_room<13, 40>);
+STATIC_CHECK(has_room<44, 8> and not has_room<45, 8>);
+
 } // namespace
 
 constinit basic_client<panel> panel_on_a_board;

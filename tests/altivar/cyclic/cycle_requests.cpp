@@ -5,7 +5,12 @@
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 
 #include "altivar/cyclic/cycle_by_hand.hpp"
+#include "motion_law/plant.hpp"
+#include "support/drives.hpp"
 #include "support/proof.hpp"
+
+#include <algorithm>
+#include <cstddef>
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
@@ -182,3 +187,19 @@ PROOF("a drive that somebody rearranged is looked at, and its scanner is read, b
       reads_all_anew_where_it_was_rearranged)
 
 } // namespace
+
+TEST_CASE("the longest frames of a cycle are as long as its type says, on each drive")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        std::size_t request = 0, response = 0;
+        plant<Device> it;
+        it.disturb([&](frame_bytes& frame, bool is_request) {
+            std::size_t& longest = is_request ? request : response;
+            longest = std::max(longest, frame.size());
+        });
+        cyclic<Device> loop{it.drive};
+        static_cast<void>(it.watch(loop, milliseconds(2'000)));
+        CHECK(cyclic<Device>::longest_frames.request == request);
+        CHECK(cyclic<Device>::longest_frames.response == response);
+    });
+}
