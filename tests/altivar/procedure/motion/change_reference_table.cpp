@@ -297,6 +297,29 @@ TEST_CASE("a change to a small speed in reverse reads what a hertz is, and write
     CHECK(does(led(more, {begun, word(back)}), word(by_sign), writes(speed, 0xFFEC)));
 }
 
+TEST_CASE("a change to a small speed in reverse of a drive that does not tell what a hertz is ends as another speed")
+{
+    constexpr reference_procedure small{layout, {speed, 0xFFFF, true}, beyond_limits::limit}; // -1
+    constexpr std::uint16_t told = 0xFFFA;
+    way const at_last{begun,      word(back),         word(by_sign),      failed(errc::illegal_data_address),
+                      confirmed,  pause_over,         word(reached_back), word(300),
+                      pause_over, word(reached_back), word(300),          word(told)};
+    CHECK(does(led(small, at_last), word(reached_back), at_limit));
+}
+
+TEST_CASE("a change of the reference asks once for its limits, whether they are told or not")
+{
+    for (bool const is_told : {true, false}) {
+        INFO((is_told ? "told" : "refused"));
+        reference_procedure it = led(forward, limited_twice);
+        static_cast<void>(it.step(is_told ? word(500) : failed(errc::illegal_data_address)));
+        static_cast<void>(is_told ? it.step(word(0)) : action{});
+        // Its reference stands, the last look shows that it is not limited any more, and then it is again.
+        it = led(it, {word(1'500), word(enabled_word), pause_over, word(limited), pause_over});
+        CHECK(does(it, word(limited), again));
+    }
+}
+
 TEST_CASE("a change of the reference begins with a look, and leaves a halt")
 {
     CHECK(does(forward, begun, eta));
