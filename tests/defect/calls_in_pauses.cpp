@@ -177,3 +177,26 @@ TEST_CASE("defect: A6 what one call began between two pauses is over behind them
     is_as_behind_a_minute<drive_client<2>>();
     is_as_behind_a_minute<bus<2>>();
 }
+
+TEST_CASE("defect: A6 a call lets time pass first behind more than 2^20 us, and not where its time is up to 100 ms "
+          "older than the latest pass")
+{
+    constexpr std::int64_t longest_pass = 1 << 20, latency = 100'000;
+    struct {
+        std::int64_t behind; ///< the latest pass
+        bool passes;
+    } const calls[]{{longest_pass - 1, false}, {longest_pass + 1, true}, {-latency, false}, {-latency - 1, true}};
+    for (auto const& [behind, passes] : calls) {
+        for (bool const is_cancel : {true, false}) {
+            INFO((is_cancel ? "cancel, " : "sent, ") << behind << " us behind the latest pass");
+            desk<client> it;
+            series old{[](unsigned) { return read_of(1, 3201); }, 1};
+            it.bring_to(stage::handed_out, old);
+            instant const pass = it.now();
+            it.link.hold(unit_id{5}, pass + milliseconds(behind < 0 ? 10'000 : 1'000)); // it is over behind the pause
+            instant const at{pass.microseconds + static_cast<std::uint32_t>(behind)};
+            is_cancel ? it.link.cancel(at) : it.link.sent(behind < 0 ? at : at + office_line.characters(8));
+            CHECK(it.link.is_held(unit_id{5}) != passes);
+        }
+    }
+}
