@@ -120,8 +120,8 @@ template <auto const& Needs, typename Conversation> [[nodiscard]] consteval bool
 {
     if constexpr (requires { Conversation::longest_frames; }) {
         constexpr frame_sizes most = Conversation::longest_frames;
-        std::size_t const front = most.request < Needs.request_room ? Needs.request_room : most.request;
-        return front + most.response <= Needs.request_room + Needs.longest_frame;
+        return most.response <= Needs.longest_frame and
+               most.request + most.response <= Needs.request_room + Needs.longest_frame;
     }
     return true;
 }
