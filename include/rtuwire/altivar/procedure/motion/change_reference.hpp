@@ -175,7 +175,9 @@ private:
             return is_unnamed and layout().hsp != 0 ? read_limits() : confirm(has_limits_);
         }
         bool const is_guessed = limits_.is_guessed(told_, reference_);
-        note_limit(shown == outcome_kind::reference_limited ? limits_.kept_for(told_) : std::uint16_t{0});
+        if (shown == outcome_kind::reference_limited) {
+            note_limit(limits_.kept_for(told_));
+        }
         return end(is_guessed ? outcome_kind::reference_limited : shown);
     }
 
