@@ -604,6 +604,26 @@ TEST_CASE("rule 40: an order has enough reads before its first word, also beside
     CHECK_FALSE(of.it.is_lost(3));
 }
 
+TEST_CASE("rule 40: behind a word that stops it, or behind the order before, 255 answers are counted, each to a "
+          "commander five times")
+{
+    for (effect const first : {effect::none, effect::stopping}) {
+        CAPTURE(static_cast<int>(first));
+        left_alone of;
+        hand_commander other{3};
+        other.note_order_to_run();
+        other.goes_on = true;
+        for (unsigned look = 0; look < 50; ++look) {
+            of.it.pass(20'000);
+            REQUIRE(of.it.does(other, look == 0 ? first : effect::none) == errc::none);
+            REQUIRE((look >= 4 or of.asks()));
+        }
+        CHECK_FALSE(of.it.is_lost(3)); // 254
+        CHECK(of.asks());
+        CHECK(of.it.is_lost(3));
+    }
+}
+
 TEST_CASE("rule 40: who sends words that stop it may look between them")
 {
     left_alone of;
