@@ -304,20 +304,55 @@ TEST_CASE("a change to a small speed in reverse of a drive that does not tell wh
     way const at_last{begun,      word(back),         word(by_sign),      failed(errc::illegal_data_address),
                       confirmed,  pause_over,         word(reached_back), word(300),
                       pause_over, word(reached_back), word(300),          word(told)};
-    CHECK(does(led(small, at_last), word(reached_back), at_limit));
+    reference_procedure it = led(small, at_last);
+    CHECK(does(it, word(reached_back), at_limit));
+    static_cast<void>(it.step(word(reached_back)));
+    CHECK(it.reason().limit == 0);
 }
 
 TEST_CASE("a change of the reference asks once for its limits, whether they are told or not")
 {
-    for (bool const is_told : {true, false}) {
-        INFO((is_told ? "told" : "refused"));
-        reference_procedure it = led(forward, limited_twice);
-        static_cast<void>(it.step(is_told ? word(500) : failed(errc::illegal_data_address)));
-        static_cast<void>(is_told ? it.step(word(0)) : action{});
+    constexpr reference_procedure in_rpm{layout, {speed, 1'500, true}, beyond_limits::limit};
+    constexpr event missing = failed(errc::illegal_data_address);
+    struct {
+        char const* name;
+        reference_procedure of;
+        way said;
+    } const answers[]{{"told", forward, {word(500), word(0)}},
+                      {"HSP is refused", forward, {missing}},
+                      {"NSP is 0", in_rpm, {word(500), word(500), word(0)}},
+                      {"NSP is refused", in_rpm, {word(500), word(500), missing}}};
+    for (auto const& each : answers) {
+        INFO(each.name);
+        reference_procedure it = led(each.of, limited_twice);
+        action last{};
+        for (std::size_t i = 0; i < each.said.size; ++i) {
+            last = it.step(each.said.events[i]);
+        }
+        CHECK((what_of(last) == action_kind::read and address_of(last) == speed));
         // Its reference stands, the last look shows that it is not limited any more, and then it is again.
-        it = led(it, {word(1'500), word(enabled_word), pause_over, word(limited), pause_over});
+        for (event const what : {word(1'500), word(enabled_word), pause_over, word(limited), pause_over}) {
+            static_cast<void>(it.step(what));
+        }
         CHECK(does(it, word(limited), again));
     }
+    static constexpr drive_layout without = [] {
+        drive_layout some = layout;
+        some.hsp = 0;
+        return some;
+    }();
+    constexpr reference_procedure elsewhere{without, {speed, 1'500}, beyond_limits::limit};
+    CHECK(does(led(elsewhere, limited_once), word(limited), again));
+}
+
+TEST_CASE("a change of the reference names the limit that the drive keeps to, and none where it is reached")
+{
+    reference_procedure it = led(forward, last_of_reached);
+    static_cast<void>(it.step(word(0x0637)));
+    CHECK((it.reason().kind == kind::succeeded and it.reason().limit == 0));
+    it = led(forward, last_of_limited);
+    static_cast<void>(it.step(word(limited)));
+    CHECK((it.reason().kind == kind::reference_limited and it.reason().limit == 500));
 }
 
 TEST_CASE("a change of the reference begins with a look, and leaves a halt")

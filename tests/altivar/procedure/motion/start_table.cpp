@@ -209,3 +209,26 @@ TEST_CASE("a start reads a reference that is the neighbour of the control word t
     CHECK(does(it, words(0x000F, other), ramp(kind::overwritten)));
     CHECK(does(it, words(0x080F, thirty_hertz), ramp(kind::overwritten)));
 }
+
+TEST_CASE("a start of a drive that limits the reference reads no limit that it knows, or that the drive does not have")
+{
+    static constexpr drive_layout without = [] {
+        drive_layout some = layout;
+        some.hsp = 0;
+        return some;
+    }();
+    constexpr supervision_report known = [] {
+        supervision_report found = commissioned();
+        found.limits.highest = 2'000;
+        return found;
+    }();
+    constexpr run_direction forward = run_direction::forward;
+    constexpr start_procedure knows{layout, {8602, 1'500}, forward, supervision_procedure{layout, known}};
+    constexpr start_procedure elsewhere{
+        without, {8602, 1'500}, forward, supervision_procedure{without, commissioned()}};
+    constexpr std::uint16_t limited = 0x0A37;
+    way const runs{begun, word(on), confirmed, word(on), confirmed, word(1'500), word(0x0007), confirmed, word(1)};
+    CHECK(does(led(checked_before, runs), word(limited), reads(layout.hsp)));
+    CHECK(does(led(knows, runs), word(limited), read_reference));
+    CHECK(does(led(elsewhere, runs), word(limited), read_reference));
+}
