@@ -203,3 +203,28 @@ TEST_CASE("the longest frames of a cycle are as long as its type says, on each d
         CHECK(cyclic<Device>::longest_frames.response == response);
     });
 }
+
+namespace {
+
+/// Scanners of which a cycle moves more words one way than the other.
+struct of_many_inputs : atv12::device {
+    static constexpr cycle_registers cycle{.by = function_code::read_write_multiple_registers,
+                                           .reads = {atv12::eta.address, atv12::rfrd.address, 0, 0},
+                                           .writes = {atv12::cmd.address, atv12::lfrd.address},
+                                           .speed = atv12::rfrd.address,
+                                           .by_scanner = true};
+};
+struct of_many_outputs : atv12::device {
+    static constexpr cycle_registers cycle{.by = function_code::read_write_multiple_registers,
+                                           .reads = {atv12::eta.address, atv12::rfrd.address},
+                                           .writes = {atv12::cmd.address, atv12::lfrd.address, 0, 0},
+                                           .speed = atv12::rfrd.address,
+                                           .by_scanner = true};
+};
+
+STATIC_CHECK(cyclic<of_many_inputs>::longest_frames.request == 17);
+STATIC_CHECK(cyclic<of_many_inputs>::longest_frames.response == 13);
+STATIC_CHECK(cyclic<of_many_outputs>::longest_frames.request == 21);
+STATIC_CHECK(cyclic<of_many_outputs>::longest_frames.response == 13); // the slots of its outputs
+
+} // namespace

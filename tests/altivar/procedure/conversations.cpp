@@ -7,6 +7,9 @@
 #include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
@@ -226,4 +229,21 @@ TEST_CASE("a start that fails half way takes its command back")
     CHECK(run.reason().kind == outcome_kind::stop_key);
     CHECK(it.drive_().word("CMD") != 0x000F);
     CHECK(it.now_in() != state::operation_enabled);
+}
+
+TEST_CASE("the longest frames of a procedure are as long as its type says")
+{
+    std::size_t request = 0, response = 0;
+    test::all_drives::for_each([&]<typename Device>() {
+        pair<Device> it;
+        it.disturb([&](test::frame_bytes& frame, bool is_request) {
+            std::size_t& longest = is_request ? request : response;
+            longest = std::max(longest, frame.size());
+        });
+        REQUIRE(it.started());
+        CHECK(it.end_of(change_reference{it.drive, 40_Hz}).kind == outcome_kind::succeeded);
+        CHECK(it.end_of(stop{it.drive}).kind == outcome_kind::succeeded);
+    });
+    CHECK(start::longest_frames.request == request);
+    CHECK(start::longest_frames.response == response);
 }
