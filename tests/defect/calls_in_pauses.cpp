@@ -200,3 +200,14 @@ TEST_CASE("defect: A6 a call lets time pass first behind more than 2^20 us, and 
         }
     }
 }
+
+TEST_CASE("defect: A6 no time passes by a call before the first pass")
+{
+    client link{office_line, once};
+    series old{[](unsigned) { return read_of(1, 3201); }, 1};
+    link.hold(unit_id{5}, instant{1'000'000});
+    link.converse(old, instant{0});
+    REQUIRE(link.is_busy());
+    link.cancel(instant{1'500'000});
+    CHECK(link.is_held(unit_id{5}));
+}
