@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "lives/events.hpp"
@@ -58,24 +59,24 @@ public:
             note_reference(asked, is_reverse);
         }
     }
-    void note_stop(moment now, bool is_halt)
+    void note_stop(std::size_t place, moment now, bool is_halt)
     {
-        orders_.fill({});
-        detached_ = {};
-        ordered_at_ = 0;
-        taken_at_ = now;
-        if (is_orphan_) { // whatever it runs at
-            note_reference(std::abs(drive_.frequency()), drive_.frequency() < 0);
+        if (stops_to_begin_ == 0) {
+            before_ = standing();
         }
-        is_orphan_ = false;
-        left_ = {};
-        is_halting_ = is_halt;
-        stopped_at_ = now;
+        stops_to_begin_ |= 1U << place;
+        take_orders(now, is_halt);
+    }
+    /// The client has all that the user has made.
+    void note_visit()
+    {
+        stops_to_begin_ = 0;
+        for_each_order([](order& each) { each.was_there = false; });
     }
     /// A stop of everyone does not name this drive: its broadcasts may be for another family, and nobody follows up.
     void note_left_out(moment now)
     {
-        note_stop(now, false);
+        note_stop(places - 1, now, false);
         last_missed_ = now;
     }
     /// The user was told that an order is over.
@@ -113,24 +114,26 @@ public:
         if (was_stopping) {
             word_due_since_ = 0;
         }
+        bool const never_began = take_back_stop(place) and not is_known;
         order const own = std::exchange(orders_[place], {});
         if (own.is_there and (own.has_enabled or not is_known)) {
             detached_ = {true, true, false, true, true, true, std::max(detached_.at, own.at)};
-        } else if (was_stopping or own.is_there) {
-            is_known and is_ordered_here_ ? leave(now) : void(is_orphan_ = true);
+        } else if ((was_stopping and not never_began) or own.is_there) {
+            is_known ? leave_or_forget(now) : void(is_orphan_ = true);
         }
     }
     /// A stop of everyone was given up.
     void note_left(moment now)
     {
         note_word_given_up();
-        is_ordered_here_ ? leave(now) : void(is_orphan_ = true);
+        take_back_stop(places - 1) ? void() : leave_or_forget(now);
     }
     /// One broadcast was to free all motors, and this drive may not have heard it. Orders that were given since it began may count.
     void note_freed(moment now, moment begun)
     {
         std::array<order, places> const given = orders_;
-        note_stop(now, false);
+        take_orders(now, false);
+        note_visit();
         note_word_given_up();
         for (std::size_t i = 0; i < places; ++i) {
             if (given[i].is_there and given[i].at >= begun) {
@@ -139,7 +142,7 @@ public:
             }
         }
         if (has_power_ and not has_order()) {
-            note_left(now);
+            leave_or_forget(now);
         }
     }
     void note_word_given_up() { word_due_since_ = 0; }
@@ -163,6 +166,7 @@ public:
     {
         orders_.fill({});
         detached_ = {};
+        stops_to_begin_ = 0;
         is_orphan_ = true;
         is_ordered_here_ = false;
         left_ = {};
@@ -433,6 +437,7 @@ private:
         bool is_alone{false};    ///< else a look may have been somebody else's
         bool has_enabled{false}; ///< the drive heard a word that may be its own
         moment at{0};
+        bool was_there{false}; ///< before stops that have not begun
     };
 
     /// A motor that nobody's order or stop holds. Its unit counts as lost behind some responses to others than those who command.
@@ -446,6 +451,46 @@ private:
     static constexpr unsigned most_answers = 4;
 
     void leave(moment now) { left_ = {now}; }
+    void leave_or_forget(moment now) { is_ordered_here_ ? leave(now) : void(is_orphan_ = true); }
+
+    template <typename Work> void for_each_order(Work work)
+    {
+        std::for_each(orders_.begin(), orders_.end(), work);
+        work(detached_);
+    }
+    void take_orders(moment now, bool is_halt)
+    {
+        for_each_order([](order& each) { each.was_there = std::exchange(each.is_there, false) or each.was_there; });
+        ordered_at_ = 0;
+        taken_at_ = now;
+        if (is_orphan_) { // whatever it runs at
+            note_reference(std::abs(drive_.frequency()), drive_.frequency() < 0);
+        }
+        is_orphan_ = false;
+        left_ = {};
+        is_halting_ = is_halt;
+        stopped_at_ = now;
+    }
+    /// What a stop changes, but the orders.
+    std::tuple<moment&, moment&, moment&, bool&, left_motor&, bool&> standing()
+    {
+        return std::tie(ordered_at_, taken_at_, stopped_at_, is_halting_, left_, is_orphan_);
+    }
+
+    /// A stop begins when the client has it (engine rules 36, 37): one that is given up before that has stopped nothing, and
+    /// what stood before it stands. Whether it is one.
+    bool take_back_stop(std::size_t place)
+    {
+        unsigned const all = std::exchange(stops_to_begin_, stops_to_begin_ & ~(1U << place));
+        if (all != 0 and stops_to_begin_ == 0) {
+            for_each_order([](order& each) { each.is_there = std::exchange(each.was_there, false) or each.is_there; });
+            standing() = before_;
+            ordered_at_ = std::max(ordered_at_, latest_order());
+            left_ = has_power_ ? left_ : left_motor{};
+            is_orphan_ = is_orphan_ and has_power_;
+        }
+        return all != stops_to_begin_;
+    }
     void note_enabled()
     {
         is_ordered_here_ = true;
@@ -668,6 +713,8 @@ private:
     std::array<order, places> orders_{};
     order detached_{}; ///< of conversations that were given up
     left_motor left_{};
+    unsigned stops_to_begin_{0}; ///< a bit for each place with one that the client has not had
+    std::tuple<moment, moment, moment, bool, left_motor, bool> before_{}; ///< what stood before the first of these
     moment taken_at_{0};
     moment stopped_at_{0};
     moment ordered_at_{0}; ///< whatever became of it, since the last stop

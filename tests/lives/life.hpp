@@ -26,7 +26,7 @@ struct slot {
     bool has_told{false}; ///< its end was looked at
     bool is_away{false};
     bool asks_again{false};
-    bool is_visited{false}; ///< since it was made, or its cycle stopped
+    bool is_visited{false}; ///< since it was made, or used again
     moment pace{0};         ///< of a poll, from one request to the next
     moment due{0};
     bool is_halt{false};
@@ -217,6 +217,9 @@ private:
             return false;
         }
         hear_what_came();
+        for (auto const& each : nodes_) {
+            each->law.note_visit();
+        }
         link_.advance(now);
         converse(now);
         return ask();

@@ -213,7 +213,7 @@ protected:
         });
         slots_[place].is_halt = is_halt;
         said_.say("stop in place %zu: drive %u, way %d", place, set_of(unit).address, static_cast<int>(how));
-        law_of(unit).note_stop(now_, is_halt);
+        law_of(unit).note_stop(place, now_, is_halt);
         law_of(unit).note_word_due(now_);
     }
 
@@ -255,7 +255,7 @@ protected:
             law_of(own.unit).note_given_up(place, now_, false, false); // the motor may run by the order before
             note_order(place, own.asked, false);
         } else if constexpr (std::is_same_v<Conversation, a::stop>) {
-            law_of(own.unit).note_stop(now_, own.is_halt);
+            law_of(own.unit).note_stop(place, now_, own.is_halt);
             law_of(own.unit).note_word_due(now_);
         } else if constexpr (std::is_same_v<Conversation, a::change_reference>) {
             law_of(own.unit).note_change(own.asked.half_hertz * 500, own.asked.is_reverse);
@@ -324,8 +324,7 @@ protected:
         bool const is_halt = how == a::stop_by::halt and Device::layout.halt != 0;
         said_.say("stop of the cycle in place %zu, way %d", place, static_cast<int>(how));
         loop.stop(how);
-        slots_[place].is_visited = false;
-        law_of(slots_[place].unit).note_stop(now_, is_halt);
+        law_of(slots_[place].unit).note_stop(place, now_, is_halt);
     }
 
     void change(std::size_t place, std::size_t unit)
@@ -418,7 +417,7 @@ protected:
         said_.now = now_;
         said_.say("stop of everyone");
         for (std::size_t i = 0; i < how_.drives; ++i) {
-            is_one_left_out and i == 1 ? law_of(i).note_left_out(now_) : law_of(i).note_stop(now_, false);
+            is_one_left_out and i == 1 ? law_of(i).note_left_out(now_) : law_of(i).note_stop(slots, now_, false);
         }
     }
 
