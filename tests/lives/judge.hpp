@@ -65,7 +65,7 @@ public:
             before_ = standing();
         }
         stops_to_begin_ |= 1U << place;
-        take_orders(now, is_halt);
+        take_orders(now, is_halt ? now : 0);
     }
     /// The client has all that the user has made.
     void note_visit()
@@ -128,11 +128,12 @@ public:
         note_word_given_up();
         take_back_stop(places - 1) ? void() : leave_or_forget(now);
     }
-    /// One broadcast was to free all motors, and this drive may not have heard it. Orders that were given since it began may count.
+    /// One broadcast was to free all motors, and this drive may not have heard it. It counts as a stop that
+    /// ended when it was taken (engine rule 41): orders that were given since it began may count, and so does a halt.
     void note_freed(moment now, moment begun)
     {
         std::array<order, places> const given = orders_;
-        take_orders(now, false);
+        take_orders(now, halted_at_ >= begun ? halted_at_ : 0);
         note_visit();
         note_word_given_up();
         for (std::size_t i = 0; i < places; ++i) {
@@ -285,7 +286,7 @@ public:
             bool const is_too_late = is_direct and disturbed_at_ >= last_look;
             moment const asked = std::max(latest_order(), ordered_at_);
             was_asked_ = has_order() and (asked >= disturbed_at_ or is_too_late);
-            is_halting_ = is_halting_ and not is_enabling;
+            halted_at_ = is_enabling ? 0 : halted_at_;
             runs_for_another_ = runs_for_another_ and not is_enabling;
             is_enabling ? note_enabled() : void();
             is_braking_ = word and keeps_power(*word, drive_.profile());
@@ -458,7 +459,7 @@ private:
         std::for_each(orders_.begin(), orders_.end(), work);
         work(detached_);
     }
-    void take_orders(moment now, bool is_halt)
+    void take_orders(moment now, moment halted_at)
     {
         for_each_order([](order& each) { each.was_there = std::exchange(each.is_there, false) or each.was_there; });
         ordered_at_ = 0;
@@ -468,13 +469,13 @@ private:
         }
         is_orphan_ = false;
         left_ = {};
-        is_halting_ = is_halt;
+        halted_at_ = halted_at;
         stopped_at_ = now;
     }
     /// What a stop changes, but the orders.
-    std::tuple<moment&, moment&, moment&, bool&, left_motor&, bool&> standing()
+    std::tuple<moment&, moment&, moment&, moment&, left_motor&, bool&> standing()
     {
-        return std::tie(ordered_at_, taken_at_, stopped_at_, is_halting_, left_, is_orphan_);
+        return std::tie(ordered_at_, taken_at_, stopped_at_, halted_at_, left_, is_orphan_);
     }
 
     /// A stop begins when the client has it (engine rules 36, 37): one that is given up before that has stopped nothing, and
@@ -670,7 +671,7 @@ private:
             return std::nullopt; // what the drive does by itself
         }
         // A quick stop that waits at standstill, and a halt, keep the power.
-        bool const stands = speed == 0 and (is_halting_ or drive_.state() == cia402::state::quick_stop_active);
+        bool const stands = speed == 0 and (halted_at_ != 0 or drive_.state() == cia402::state::quick_stop_active);
         moment const by_itself = set_.time_out_us() + ramp();
         bool const is_watched = set_.is_supervised();
         if (died_at_ != 0 and is_watched and now > std::max(died_at_, last_heard_) + by_itself) {
@@ -714,9 +715,10 @@ private:
     order detached_{}; ///< of conversations that were given up
     left_motor left_{};
     unsigned stops_to_begin_{0}; ///< a bit for each place with one that the client has not had
-    std::tuple<moment, moment, moment, bool, left_motor, bool> before_{}; ///< what stood before the first of these
+    std::tuple<moment, moment, moment, moment, left_motor, bool> before_{}; ///< what stood before the first of these
     moment taken_at_{0};
     moment stopped_at_{0};
+    moment halted_at_{0};  ///< asked to halt by the latest stop; 0: not, or enabled since
     moment ordered_at_{0}; ///< whatever became of it, since the last stop
     moment disturbed_at_{0};
     moment lost_at_{0}; ///< when it was sent what makes the loss sure, where nothing is answered
@@ -748,7 +750,6 @@ private:
     std::int32_t most_reverse_{0};
     bool is_good_{true};
     bool is_heard_since_good_{false};
-    bool is_halting_{false};
     bool is_orphan_{false};       ///< nobody is left who ordered it, or who was to stop it
     bool is_ordered_here_{false}; ///< it heard a word of this controller that enables, since it stood
     bool is_foreign_{false};      ///< another master wrote to it since it stood, or since the last order
