@@ -242,6 +242,7 @@ public:
         bool const is_broadcast = frame[0] == std::byte{0};
         word_due_since_ = 0;
         if (not is_broadcast) {
+            is_heard and to_u8(frame[1]) == 3 ? note_read(now) : void();
             count_unheeded(now, is_heard);
         }
         if (not is_broadcast) {
@@ -288,6 +289,7 @@ public:
             was_asked_ = has_order() and (asked >= disturbed_at_ or is_too_late);
             halted_at_ = is_enabling ? 0 : halted_at_;
             runs_for_another_ = runs_for_another_ and not is_enabling;
+            is_fed_by_another_ = is_fed_by_another_ and not is_enabling;
             is_enabling ? note_enabled() : void();
             is_braking_ = word and keeps_power(*word, drive_.profile());
         }
@@ -471,11 +473,12 @@ private:
         left_ = {};
         halted_at_ = halted_at;
         stopped_at_ = now;
+        is_fed_by_another_ = false;
     }
     /// What a stop changes, but the orders.
-    std::tuple<moment&, moment&, moment&, moment&, left_motor&, bool&> standing()
+    std::tuple<moment&, moment&, moment&, moment&, left_motor&, bool&, bool&> standing()
     {
-        return std::tie(ordered_at_, taken_at_, stopped_at_, halted_at_, left_, is_orphan_);
+        return std::tie(ordered_at_, taken_at_, stopped_at_, halted_at_, left_, is_orphan_, is_fed_by_another_);
     }
 
     /// A stop begins when the client has it (engine rules 36, 37): one that is given up before that has stopped nothing, and
@@ -563,6 +566,15 @@ private:
         return foreign_reference_at_ > own_reference_at_ and is_taken and not did_cross;
     }
 
+    /// Behind the silence that stops a drive reads may resume (L4); where another master fed it meanwhile they feed it on,
+    /// and nothing stops it (docs/what-stops-my-motor.md). A stop since the last request sends its own words.
+    void note_read(moment now)
+    {
+        bool const was_silent =
+            now >= last_unheeded_ + set_.time_out_us() + 1'000'000 and stopped_at_ <= last_unheeded_;
+        is_fed_by_another_ = is_fed_by_another_ or (was_silent and runs_ and last_foreign_ > last_unheeded_);
+    }
+
     /// Requests in a row, each soon behind the one before.
     void count_unheeded(moment now, bool is_heard)
     {
@@ -610,7 +622,7 @@ private:
         is_orphan_ = false;
         is_ordered_here_ = false;
         left_ = {};
-        runs_for_another_ = false;
+        runs_for_another_ = is_fed_by_another_ = false;
         was_counted_ = false;
     }
 
@@ -679,7 +691,8 @@ private:
         }
         // What another master alone has started may be read for ever.
         bool const is_ours = not is_orphan_ and not runs_for_another_;
-        if (is_lost() and is_watched and died_at_ == 0 and is_ours and not stands) {
+        bool const has_to_trip = is_watched and not is_fed_by_another_;
+        if (is_lost() and has_to_trip and died_at_ == 0 and is_ours and not stands) {
             if (not was_counted_) {
                 was_counted_ = true;
                 counts_.note(event::unit_lost_while_it_ran);
@@ -694,13 +707,13 @@ private:
         if (is_left() and not is_excused) {
             moment const at_last = left_.lost_at + words + 2 * retry_state() + by_itself;
             bool const is_late = left_.lost_at != 0 and now > std::max(at_last, last_foreign_ + by_itself);
-            return is_late and is_watched ? std::optional{breach::left_to_reads} : std::nullopt;
+            return is_late and has_to_trip ? std::optional{breach::left_to_reads} : std::nullopt;
         }
         if (not has_order() and not is_excused) {
             bool const was_good = is_good_ and is_heard_since_good_ and last_missed_ < taken_at_;
             moment const at_once = taken_at_ + retry_state() + 1'500'000 + ramp();
-            moment const at_last = taken_at_ + words + 3 * retry_state() + by_itself;
-            if ((was_good and now > at_once) or (is_watched and now > at_last)) {
+            moment const at_last = std::max(taken_at_ + words + 3 * retry_state(), last_foreign_) + by_itself;
+            if ((was_good and now > at_once) or (has_to_trip and now > at_last)) {
                 return breach::power_after_stop;
             }
         }
@@ -715,7 +728,7 @@ private:
     order detached_{}; ///< of conversations that were given up
     left_motor left_{};
     unsigned stops_to_begin_{0}; ///< a bit for each place with one that the client has not had
-    std::tuple<moment, moment, moment, moment, left_motor, bool> before_{}; ///< what stood before the first of these
+    std::tuple<moment, moment, moment, moment, left_motor, bool, bool> before_{}; ///< before these
     moment taken_at_{0};
     moment stopped_at_{0};
     moment halted_at_{0};  ///< asked to halt by the latest stop; 0: not, or enabled since
@@ -756,6 +769,7 @@ private:
     bool was_foreign_{false};
     bool was_written_to_{false}; ///< by another master, ever
     bool runs_for_another_{false};
+    bool is_fed_by_another_{false}; ///< through the silence that was to stop it
     bool is_key_known_{false};
     bool is_enabling_{false}; ///< the last request
     bool is_reference_asked_{false};
