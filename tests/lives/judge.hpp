@@ -142,7 +142,8 @@ public:
                 ordered_at_ = std::max(ordered_at_, given[i].at);
             }
         }
-        if (has_power_ and not has_order()) {
+        if (has_power_ and
+            (is_ordered_here_ or not has_order())) { // an order that ends before its word holds it no more
             leave_or_forget(now);
         }
     }
