@@ -217,7 +217,8 @@ public:
         // Of several orders at once nobody can tell whose frames are whose.
         bool const is_alone = number_of_orders() < 2;
         for (order& each : orders_) {
-            bool const knows = each.has_begun or (is_shown and each.has_looked);
+            // What comes between another master's 0006 and a status that shows that is not seen before a word.
+            bool const knows = ambushed_at_ == 0 and (each.has_begun or (is_shown and each.has_looked));
             each.at = is_alone and knows ? each.at : now;
         }
         if (before != cia402::state::switch_on_disabled or is_shown) {
@@ -591,7 +592,7 @@ private:
     {
         bool const shows_state = is_look_ or to_u8(frame[1]) == 23 or (to_u8(frame[1]) == 3 and u16_at(frame, 4) > 2);
         if (ambushed_at_ != 0 and shows_state and not is_enabling) {
-            note_disturbance(ambushed_at_, cia402::state::ready_to_switch_on, false);
+            note_disturbance(std::exchange(ambushed_at_, 0), cia402::state::ready_to_switch_on, false);
         }
         ambushed_at_ = shows_state or is_enabling ? 0 : ambushed_at_;
     }
