@@ -82,9 +82,12 @@ public:
     /// The user was told that an order is over.
     void note_end_of_order(std::size_t place, moment now)
     {
-        if (orders_[place].is_there) {
-            orders_[place] = {};
-            taken_at_ = has_order() ? taken_at_ : now;
+        order const own = std::exchange(orders_[place], {});
+        if (own.is_there and not has_order()) {
+            taken_at_ = now;
+            if (is_ordered_here_ and not own.has_enabled) { // what it replaced runs the motor: engine rule 40
+                leave(now);
+            }
         }
     }
     /// The same, and no conversation stops the motor that it ran.
