@@ -5,5 +5,6 @@
 // device with all of them.
 #pragma once
 
+#include <rtuwire/altivar/parameters/family_words.hpp>
 #include <rtuwire/altivar/parameters/parameter_list.hpp>
 #include <rtuwire/altivar/parameters/parameter_map.hpp>

@@ -125,6 +125,16 @@ TEST_CASE("parameters of one's own: each line of the list is a row, and each row
 }
 //! [compare]
 
+TEST_CASE("parameters of one's own: the bits of the words that all drives share have names")
+{
+    parameter const* const status = atv99::parameters.by_code("ETA");
+    REQUIRE(status != nullptr);
+    REQUIRE(status->type->kind == parameter_kind::bits);
+    REQUIRE(status->type->meanings.size() > 3);
+    CHECK(status->type->meanings[3].value == 3);
+    CHECK(std::string_view{status->type->meanings[3].name} == "in fault");
+}
+
 //! [simulated]
 TEST_CASE("parameters of one's own: the drive with all of them is simulated")
 {
