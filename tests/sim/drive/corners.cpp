@@ -71,6 +71,23 @@ TEST_CASE("ramps of no time, and in each of their steps")
     }
 }
 
+namespace {
+
+/// The thermal state, in percent, behind a full turn of the clock at so much current of 0.1 A.
+constexpr std::int32_t heat_of(std::int32_t current, std::int32_t protection)
+{
+    sim::motor shaft;
+    shaft.inject(duration{0xFFFF'FFFF}, {.rated_current = current, .protection = protection});
+    return shaft.thermal_state();
+}
+// A turn is 71.6 minutes, of a time constant of 10: 87.7 % by the model's 1/(1 + 600 s/t).
+static_assert(heat_of(20, 20) == 87);
+static_assert(heat_of(199, 20) > 8'600);
+static_assert(heat_of(200, 20) > heat_of(199, 20));
+static_assert(heat_of(32'767, 1) == heat_of(200, 20)); // ten times the rated current, and more, heats alike
+
+} // namespace
+
 TEST_CASE("a motor without a nameplate turns all the same")
 {
     workbench<atv320::device> it;

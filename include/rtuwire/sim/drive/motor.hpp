@@ -122,8 +122,9 @@ private:
     constexpr void warm(duration time, motor_settings const& set) noexcept
     {
         constexpr std::int64_t body = 600'000'000;
+        constexpr std::int64_t most = 1'000; // far beyond what trips it; the square of more, times an hour, has no room
         std::int64_t const share = set.protection == 0 ? 0 : std::int64_t{current_} * 100 / set.protection;
-        std::int64_t const target = share * share / 100 * heat_scale;
+        std::int64_t const target = (share < most ? share * share : most * most) / 100 * heat_scale;
         heat_ += (target - heat_) / 100 * time.microseconds / (body / 100 + time.microseconds / 100);
     }
 
