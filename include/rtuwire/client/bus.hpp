@@ -244,31 +244,11 @@ private:
         client_.command(conversation, now, not is_urgent_);
         own.order_gap = order_gap_of(conversation);
         wake_at(wake_of(conversation), now);
+        turn_result turn = turn_result::waits;
         if (not is_urgent_ and not is_held_back(conversation, index, now)) {
-            ask(index, conversation, now);
+            turn = client_.ask(conversation, now, own_retry_policy(own));
         }
-        note_visit();
-    }
-
-    template <typename Conversation>
-    constexpr void ask(std::size_t index, Conversation& conversation, instant now) noexcept
-    {
-        slot& own = slots_[index];
-        turn_result const turn = client_.ask(conversation, now, own_retry_policy(own));
-        if (turn != turn_result::asked) {
-            if (turn != turn_result::waits) {
-                last_probed_ = is_silent(own) ? index : last_probed_; // it had its turn
-            }
-            return;
-        }
-        own.last_asked = now;
-        asked_at_ = now;
-        if (std::uint8_t const unit = client_.asked_unit(); unit != own.unit and unit != 0) {
-            own.unit = unit;
-            own.failures = 0;
-            own.has_responded = false;
-        }
-        last_probed_ = is_silent(own) ? index : last_probed_;
+        note_visit(index, turn, now);
     }
 
     /// Whether a conversation's request is a stop request: no rest and no probing holds it back.
@@ -338,10 +318,23 @@ private:
         stays_awake_ = false;
     }
 
-    /// A conversation of a slot has visited: it may rest from here on, or have asked. Not inlined: it is called for each
-    /// kind of conversation.
-    [[gnu::noinline]] constexpr void note_visit() noexcept
+    /// A conversation of a slot has visited, and this became of its turn. Not inlined: it is called for each kind of
+    /// conversation.
+    [[gnu::noinline]] constexpr void note_visit(std::size_t index, turn_result turn, instant now) noexcept
     {
+        slot& own = slots_[index];
+        if (turn == turn_result::asked) {
+            own.last_asked = now;
+            asked_at_ = now;
+            if (std::uint8_t const unit = client_.asked_unit(); unit != own.unit and unit != 0) {
+                own.unit = unit;
+                own.failures = 0;
+                own.has_responded = false;
+            }
+        }
+        if (turn != turn_result::waits and is_silent(own)) {
+            last_probed_ = index; // it had its turn
+        }
         is_new_pass_ = true;
         is_idle_ = false;
         if (stage_ != stage::changing) {
