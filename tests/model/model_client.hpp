@@ -479,9 +479,9 @@ private:
             bool const is_in_frame = line_.at == receiver::state::inside and line_.frame.size() == before;
             bool const is_all_behind = is_in_frame or (line_.at != receiver::state::inside and before == 0);
             bool const is_mirrored = check_response(request_, request_) != line_echo;
-            bool const may_be_it = may_answer and is_all_behind and is_mirrored;
+            bool const may_be_it = may_answer and is_all_behind and (is_mirrored or request_.size() == 4);
             if (may_be_it and echoes_seen_ == 0) {
-                echo_ = echo::over;
+                echo_ = is_mirrored ? echo::over : echo::in_front;
                 return 0;
             }
             echo_ = echo::whole;
@@ -574,14 +574,21 @@ private:
         if (found == none or found < 0x80) {
             echoes_seen_ = echo_ == echo::over ? 0 : echoes_seen_;
             take_response(found, now);
-        } else if (found == line_echo) {
-            echoes_seen_ = std::min(echoes_seen_ + 1, 2U);
-            settle(line_echo, now);
-        } else if ((found == crc_mismatch or found == uart_error) and frame.size() >= 4 and frame[0] == request_[0] and
-                   (frame[1] & 0x7F) == request_[1] and has_size) {
-            if (debts_.is_empty()) { // 17
+        } else {
+            bool const is_damaged = (found == crc_mismatch or found == uart_error) and frame.size() >= 4 and
+                                    frame[0] == request_[0] and (frame[1] & 0x7F) == request_[1] and has_size;
+            if (is_damaged and debts_.is_empty()) { // 17
                 sendings_.answered();
             }
+            refuse(found, is_damaged, now);
+        }
+    }
+    void refuse(fault found, bool is_damaged, microseconds now)
+    {
+        if (found == line_echo or echo_ == echo::in_front) { // 16
+            echoes_seen_ = std::min(echoes_seen_ + 1, 2U);
+            settle(line_echo, now);
+        } else if (is_damaged) {
             fail(found, now);
         } else if (found != wrong_unit and found != frame_too_short) {
             error_ = found;
@@ -622,6 +629,11 @@ private:
         } else if (phase_ == phase::transmitting) {
             stall(now);
         } else if (phase_ == phase::awaiting) {
+            if (echo_ == echo::in_front) {
+                counted.note(a_mismatch, unit());
+                echoes_seen_ = std::min(echoes_seen_ + 1, 2U);
+                return settle(line_echo, now);
+            }
             fault why = error_;
             if (why == none) {
                 why = line_.is_at_rest(now) ? timed_out : bus_jam;
@@ -711,7 +723,7 @@ private:
     sendings sendings_{};
     microseconds sent_at_{0};
     microseconds ended_at_{0};
-    enum class echo { over, open, suspected, whole } echo_{echo::over};
+    enum class echo { over, open, in_front, suspected, whole } echo_{echo::over};
     std::size_t echo_at_{0};
     unsigned echoes_seen_{0}; ///< 2: two or more
     unsigned skips_left_{0};

@@ -131,7 +131,7 @@ template <typename Visit> void for_each_request(Visit const& visit)
         response_rows{
             {"01 0C 08 00 00 01 08 01 21 20 00 0C C1", errc::crc_mismatch, "its CRC is wrong"},
             {"01 0C 00 25", errc::line_echo, "the request itself"},
-            {"01 0C 00 25 00", errc::line_echo, "no data: the request itself, and a byte"},
+            {"01 0C 00 25 00", errc::wrong_length, "no data: begins with the whole request"},
             {"01 0C 05 00 00 01 08 01 DA 52", errc::wrong_length, "a byte less than status and counters"},
             {"01 0C 08 00 00 01 08 01 21 20 02 8C", errc::wrong_length, "a byte less than its byte count tells"},
             {"01 0C 08 00 00 01 08 01 21 20 00 00 00 C5", errc::wrong_length, "a byte more than its byte count tells"},

@@ -145,6 +145,14 @@ template <typename... Functions>
     return rule;
 }
 
+/// Whether a request of one of these functions may be the function alone: the response may begin with all of it.
+template <typename... Functions> [[nodiscard]] constexpr bool may_be_alone(function_list<Functions...>) noexcept
+{
+    return ((not is_in_table<Functions> or
+             function_row<Functions>::rules.request == sized(length_rule::fixed, min_adu_size)) or
+            ...);
+}
+
 /// The rule of one function in one direction; `wire_code` is the byte behind the unit address.
 template <typename Functions> [[nodiscard]] constexpr std::uint8_t of(direction dir, std::uint8_t wire_code) noexcept
 {

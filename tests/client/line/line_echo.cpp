@@ -7,6 +7,7 @@
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using test::asking;
 using test::manual_unit;
 using test::read_eta;
 using test::response_1234;
@@ -172,6 +173,52 @@ constexpr bool ends_with_its_last_byte()
     return true;
 }
 PROOF("a request that comes back in part behind its end is known at its last byte", ends_with_its_last_byte)
+
+constexpr auto read_status = "11 07 4C 22"_hex;
+
+/// What becomes of a request of a function alone, where this comes back in pieces of so many bytes.
+template <std::size_t Size>
+constexpr bool ends(std::array<std::byte, Size> const& said, std::size_t piece, errc expected,
+                    line_timing const& timing = test::line)
+{
+    asking<client> link{timing, count16};
+    instant now{0xFFFF'FFFFU - 5'000'000U};
+    link.advance(now);
+    now = now + milliseconds(100);
+    link.advance(now);
+    static_cast<void>(link.start(request_frame{read_status}, now));
+    static_cast<void>(link.poll_transmit());
+    link.sent(now);
+    for (std::size_t at = 0; at < Size; at += piece) {
+        byte_view const bytes = byte_view{said}.subspan(at, piece < Size - at ? piece : Size - at);
+        now = now + timing.characters(bytes.size());
+        link.receive(bytes, now);
+        link.advance(now);
+    }
+    for (int i = 0; i < 10; ++i) {
+        now = now + milliseconds(20);
+        link.advance(now);
+    }
+    auto const outcome = link.poll_outcome();
+    return outcome and outcome->error() == expected and link.has_seen_echo() == (expected == errc::line_echo);
+}
+constexpr bool tells_a_response_from_an_echo()
+{
+    constexpr auto response = "11 07 4C 22 00"_hex; // the status is the first byte of the request's CRC
+    constexpr auto with_response = "11 07 4C 22 11 07 05 E3 F6"_hex;
+    constexpr auto with_refusal = "11 07 4C 22 11 87 01 83 F5"_hex;
+    constexpr auto host = line_timing::host(19'200, character_format::even_8_1);
+    for (std::size_t const piece : {1U, 4U, 9U}) {
+        if (not ends(response, piece, errc::none) or not ends(read_status, piece, errc::line_echo) or
+            not ends(read_status, piece, errc::line_echo, host) or
+            not ends(read_status, piece, errc::line_echo, line_timing::without_wire()) or
+            not ends(with_response, piece, errc::line_echo) or not ends(with_refusal, piece, errc::line_echo)) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("a response that begins with the whole request is no echo", tells_a_response_from_an_echo)
 
 /// What the probe finds on a line that does this.
 template <typename Say> constexpr result<bool> probed(Say say)

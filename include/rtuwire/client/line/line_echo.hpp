@@ -24,6 +24,12 @@ public:
     /// Expects no echo from here on.
     constexpr void end() noexcept { next_ = 0; }
 
+    /// All of it has come, and is the beginning of a frame that may be a response; or the response repeats it as a whole.
+    constexpr void begin_frame(bool goes_on) noexcept { next_ = goes_on ? in_front : std::uint16_t{0}; }
+
+    /// Whether the frame that is being received is an echo where it is no response.
+    [[nodiscard]] constexpr bool is_in_front() const noexcept { return next_ == in_front; }
+
     /// Something else has come that may have been an echo, damaged or in part.
     constexpr void suspect() noexcept { next_ = next_ == 0 ? suspected : next_; }
 
@@ -31,7 +37,7 @@ public:
     [[nodiscard]] constexpr bool is_absent() const noexcept { return next_ == 0; }
 
     /// Whether the next byte may belong to the echo.
-    [[nodiscard]] constexpr bool is_open() const noexcept { return next_ != 0 and next_ < suspected; }
+    [[nodiscard]] constexpr bool is_open() const noexcept { return next_ != 0 and next_ < in_front; }
 
     /// Whether this transmission has come back whole.
     [[nodiscard]] constexpr bool is_whole() const noexcept { return next_ == whole; }
@@ -65,6 +71,7 @@ public:
     constexpr void forget() noexcept { seen_ = 0; }
 
 private:
+    static constexpr std::uint16_t in_front = 0xFFFD;
     static constexpr std::uint16_t suspected = 0xFFFE;
     static constexpr std::uint16_t whole = 0xFFFF;
     static constexpr std::uint8_t twice = 2;

@@ -348,6 +348,12 @@ private:
     constexpr void on_timeout(instant now) noexcept
     {
         if (phase_ == phase::awaiting) {
+            // Elsewhere silence has ended it.
+            if (has_system and is_echo_in_front()) {
+                observer_.on_event(line_event::mismatch, unit());
+                echo_.note_seen();
+                return settle(errc::line_echo, now);
+            }
             if (error_ == errc::none) {
                 bool const is_silent = framer_.is_at_rest(memory_, now);
                 error_ = is_silent ? errc::timed_out : errc::bus_jam;
@@ -520,9 +526,9 @@ private:
             error_ = errc::none;
         } else if (is_response) {
             settle(wrong, now);
-        } else if (wrong == errc::line_echo) {
+        } else if (wrong == errc::line_echo or is_echo_in_front()) {
             echo_.note_seen();
-            settle(wrong, now);
+            settle(errc::line_echo, now);
         } else if (event != line_event::foreign and wrong != errc::frame_too_short) {
             // A damaged response of our unit is worth an early repetition. Anything else may be noise
             // before the response or a response to an older request, so the timer runs on.
@@ -548,6 +554,11 @@ private:
 
     // The echo of the request.
 
+    static constexpr bool may_ask_alone = length_rules::may_be_alone(Functions{});
+
+    /// Whether the frame that is being received is an echo where it is no response.
+    constexpr bool is_echo_in_front() const noexcept { return may_ask_alone and echo_.is_in_front(); }
+
     /// Whether what is sent has to come back before a response.
     constexpr bool expects_echo() const noexcept { return options().has_line_echo or echo_.is_proven(); }
 
@@ -567,9 +578,12 @@ private:
             // What came behind the request as a whole may be the response to it; what came before `sent`, to an earlier one,
             // or to this one where `sent` is late. Neither shows what the line does.
             bool const is_mirrored = check_response<Functions>(request(), adu{request()}) != errc::line_echo;
-            bool const is_doubtful = is_mirrored and may_be_response and framer_.begun(memory_).size() == before;
+            // The response to a function alone may begin with all of it: its first byte may be the first of the request's CRC.
+            bool const is_alone = may_ask_alone and request().size() == min_adu_size;
+            bool const is_first = may_be_response and framer_.begun(memory_).size() == before;
+            bool const is_doubtful = is_first and (is_mirrored or is_alone);
             if (is_doubtful and not echo_.is_known()) {
-                echo_.end();
+                echo_.begin_frame(not is_mirrored);
                 return 0;
             }
             tell_echo(before + same, true);
