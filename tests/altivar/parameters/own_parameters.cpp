@@ -135,6 +135,18 @@ TEST_CASE("parameters of one's own: the bits of the words that all drives share 
     CHECK(std::string_view{status->type->meanings[3].name} == "in fault");
 }
 
+// 200 to 240 V and 380 to 460 V.
+inline constexpr reg<volts> with_gap{.code = "UNS", .address = 2, .min = {200}, .max = {460}, .gap = {241, 379}};
+
+TEST_CASE("parameters of one's own: a row takes what its register takes, and nothing in its gap")
+{
+    parameter const row = parameter_list<with_gap>::made_rows()[0];
+    for (std::uint16_t count = 190; count < 470; ++count) {
+        CAPTURE(count);
+        CHECK(row.takes(count) == setting<with_gap>::checked(volts{count}).has_value());
+    }
+}
+
 //! [simulated]
 TEST_CASE("parameters of one's own: the drive with all of them is simulated")
 {

@@ -68,6 +68,7 @@ struct parameter {
     bound max;                           ///< in raw counts, or by another register
     std::optional<std::int32_t> factory; ///< in raw counts, where known
     literal steps_set_by;                ///< the register that sets the size of a step; empty where none does
+    count_range gap;                     ///< raw counts inside the limits that are never written
 
     /// Whether it can be written at all.
     [[nodiscard]] constexpr bool is_writable() const noexcept { return mode != access::read_only; }
@@ -79,14 +80,14 @@ struct parameter {
                                                            : std::int32_t{word};
     }
 
-    /// Whether a count lies within the limits, as far as they do not depend on another register, and is one of the values
-    /// that the enumeration lists.
+    /// Whether a count lies within the limits, as far as they do not depend on another register, and not in the gap, and is
+    /// one of the values that the enumeration lists.
     [[nodiscard]] constexpr bool takes(std::int32_t count) const noexcept
     {
         bool const is_signed = type->kind == parameter_kind::signed_number;
         std::int64_t const lowest = min.is_number() ? min.raw() : is_signed ? -32'768 : 0;
         std::int64_t const highest = max.is_number() ? max.raw() : is_signed ? 32'767 : 65'535;
-        return count >= lowest and count <= highest and
+        return count >= lowest and count <= highest and not gap.contains(count) and
                (type->mnemonics.empty() or listed_name(type->mnemonics, static_cast<std::uint16_t>(count)).size() != 0);
     }
 };
@@ -104,7 +105,8 @@ template <register_value T> [[nodiscard]] constexpr parameter parameter_of(reg<T
             .min = from.min,
             .max = from.max,
             .factory = from.factory,
-            .steps_set_by = from.steps_set_by};
+            .steps_set_by = from.steps_set_by,
+            .gap = from.gap};
 }
 
 } // namespace rtuwire::altivar
