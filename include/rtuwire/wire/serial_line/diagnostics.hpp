@@ -125,7 +125,7 @@ struct get_comm_event_counter {
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(
-            requires { at.line.event_count(); }, "a server of function 11 counts: take serial_diagnostics");
+            requires { at.line.event_count(); }, "a server of function 11 counts: take counting_server::with<...>");
         put_u16(&pdu.bytes[1], 0); // never under way
         put_u16(&pdu.bytes[3], at.line.event_count());
         pdu.size = response::max_size;
@@ -210,7 +210,7 @@ struct get_comm_event_log {
     [[nodiscard]] static constexpr errc respond(Memory&, Server const& at) noexcept
     {
         static_assert(
-            requires { at.line.event_count(); }, "a server of function 12 counts: take serial_diagnostics");
+            requires { at.line.event_count(); }, "a server of function 12 counts: take counting_server::with<...>");
         at.out.u16(0); // never under way
         at.out.u16(at.line.event_count());
         at.out.u16(at.line.message_count());
