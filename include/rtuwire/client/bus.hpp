@@ -54,7 +54,7 @@ template <std::size_t Slots, auto const& Needs = usual_needs> class bus {
 
 public:
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on.
-    template <frame_sink Sink> using traced_by = bus<Slots, traced_needs<Needs, Sink>>;
+    template <typename Sink> using traced_by = bus<Slots, traced_needs<Needs, Sink>>;
 
     explicit constexpr bus(line_timing const& its_line, client_options const& its_options = {},
                            bus_options const& share = {}) noexcept requires(not needed::is_fixed)

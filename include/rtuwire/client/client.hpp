@@ -58,7 +58,7 @@ template <auto const& Needs> class basic_client {
 public:
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
     /// `client::traced_by<trace_ring<4096>>`.
-    template <frame_sink Sink> using traced_by = basic_client<traced_needs<Needs, Sink>>;
+    template <typename Sink> using traced_by = basic_client<traced_needs<Needs, Sink>>;
 
     explicit constexpr basic_client(line_timing const& its_timing, client_options const& its_options = {}) noexcept
         requires(not needed::is_fixed)

@@ -90,7 +90,7 @@ public:
 
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
     /// `server::traced_by<trace_ring<4096>>`. One of several units is `server::traced_by<Sink>::for_units(...)`.
-    template <frame_sink Sink> using traced_by = basic_server<Diagnostics, Functions, one_unit, tracing<Sink>>;
+    template <typename Sink> using traced_by = basic_server<Diagnostics, Functions, one_unit, tracing<Sink>>;
 
     /// A server of several unit addresses, each with a bank of its own, that have one line and one frame's memory in
     /// common: `auto node = server::for_units(timing, bank_at{unit_id{3}, io}, bank_at{unit_id{4}, meter})`. It is

@@ -107,7 +107,9 @@ inline constexpr bool is_traced_by = requires(Observer& observer, Sink& sink)
 
 /// Hands the frames to a sink.
 /// Internal.
-template <frame_sink Sink> class tracing {
+template <typename Sink> class tracing {
+    static_assert(frame_sink<Sink>, "a sink of frames has a function take(traced_frame const&) that is noexcept");
+
 public:
     constexpr void trace_to(Sink& frames) noexcept { sink_ = &frames; }
 
