@@ -7,7 +7,7 @@
 With --compiles it is known that the file compiles as it is; with --keep what the compiler said is kept for the gallery of
 errors (docs/generate/gallery.py), under a name that says of what. The file names its sentences on lines that start with
 `// EXPECT:`; each must be in the output. A file with a line `// CASES: 6` is compiled with -DREFUSED=1 to 6, and must
-fail so each time. Where `likeliest.txt` beside the file names it, a reader must find the sentences at once: see `hidden`.
+fail so each time; of one with a line `// ALONE` nothing else may be said. Where `likeliest.txt` beside the file names it, a reader must find the sentences at once: see `hidden`.
 """
 import argparse
 import hashlib
@@ -92,6 +92,9 @@ def complaint(compiler, include_dir, file, is_known_to_compile=False, keep=None)
             reason = hidden(sentence, output) if is_likely else ""
             if reason:
                 return f"says `{sentence}` with -DREFUSED={case}, but not at once: {reason}\n{output}"
+        errors = len(re.findall(r"^\S+: (?:fatal )?error: ", output, re.MULTILINE))
+        if re.search(r"^// ALONE$", text, re.MULTILINE) and errors > 1:
+            return f"says `{expected[0]}` with -DREFUSED={case}, but as one of {errors} errors:\n{output}"
         if keep and case == 1:
             keep.parent.mkdir(parents=True, exist_ok=True)
             keep.write_text(output, encoding="utf-8")

@@ -46,6 +46,12 @@ class Refusal(unittest.TestCase):
             "// EXPECT: a goose\n// CASES: 3\n"
             "#ifdef REFUSED\nstatic_assert(REFUSED == 2, \"a goose\");\n#endif\n"))
 
+    def test_a_sentence_among_others_passes_only_where_it_may(self):
+        source = ("// EXPECT: a goose\n#ifdef REFUSED\nstatic_assert(sizeof(int) == 1, \"a goose\");\n"
+                  "static_assert(sizeof(int) == 1, \"a duck\");\n#endif\n")
+        self.assertEqual(self.complaint(source), "")
+        self.assertIn("as one of 2 errors", self.complaint("// ALONE\n" + source))
+
     def test_a_file_that_never_compiles_does_not_pass(self):
         self.assertIn("as it is", self.complaint("// EXPECT: goose\nint x = goose;\n"))
 

@@ -250,11 +250,16 @@ public:
     constexpr void converse(Conversation& who, instant now, retry_policy const& with) noexcept
     {
         auto& conversation = as_visited(who);
-        static_cast<void>(deliver(conversation, not conversation.settled(), now));
-        command(conversation, now);
-        static_cast<void>(ask(conversation, now, with));
-        if constexpr (Orders::is_kept and timed_conversation<Conversation>) {
-            orders_.wake_for(conversation.poll_deadline(), now);
+        constexpr bool may_come = may_visit<std::remove_reference_t<decltype(conversation)>>;
+        static_assert(may_come, "this client does not keep whose motor it ordered to run: take drive_client<Units>, or "
+                                "a bus");
+        if constexpr (may_come) { // else a compiler tells, besides, of each part that a plain client lacks
+            static_cast<void>(deliver(conversation, not conversation.settled(), now));
+            command(conversation, now);
+            static_cast<void>(ask(conversation, now, with));
+            if constexpr (Orders::is_kept and timed_conversation<Conversation>) {
+                orders_.wake_for(conversation.poll_deadline(), now);
+            }
         }
     }
 
@@ -292,8 +297,6 @@ public:
         }
         advance_conversation(conversation, now);
         if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
-            static_assert(Orders::is_kept, "this client does not keep whose motor it ordered to run: take "
-                                           "drive_client<Units>, or a bus");
             if constexpr (stops_by_broadcast<Conversation>) {
                 visit_for_all(conversation, now);
             } else {
@@ -369,6 +372,11 @@ public:
     }
 
 private:
+    /// Whether a conversation of this type may visit: what commands a motor has to be kept.
+    template <typename Conversation>
+    static constexpr bool may_visit =
+        Orders::is_kept or not(commanding_conversation<Conversation> or stops_by_broadcast<Conversation>);
+
     /// A time limit begins `now`, or has begun. Where the latest `advance` was long ago, time passes before: else the next
     /// one, behind another pause, would judge it by that. The latest may have been later than `now`, by `ahead`.
     constexpr void keep_up(instant now, duration ahead, auto judge) noexcept
