@@ -111,8 +111,13 @@ private:
     unit_id unit_;
 };
 
+/// Internal.
+template <typename Device> inline constexpr bool is_described = requires { sizeof(Device); };
+
 /// One device on a line: its type, which is a `device_type`, and its unit address.
 template <typename Device> class station {
+    static_assert(is_described<Device>, "this device is only declared here: include its header, "
+                                        "<rtuwire/altivar/atv320.hpp> for an ATV320");
     static_assert(has_name<Device>, "a device has a name: `static constexpr literal name`");
     static_assert(has_functions<Device>, "a device has functions: `static constexpr function_set functions`");
     static_assert(has_limits<Device>, "a device has limits: `static constexpr device_limits limits`");
