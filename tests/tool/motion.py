@@ -30,6 +30,7 @@ SIGNALS = ("INT", "TERM", "HUP", "PIPE", "KILL")
 SPEED = 40  # in Hz
 START = ("--allow-run", "start", "--frequency", f"{SPEED}Hz")
 LSP = 3105
+UNFOLLOWED = 30  # in seconds, in which the motor gets no slower
 ONE_PRESS = 1  # in seconds, as long as several Ctrl-C are one
 
 
@@ -288,6 +289,32 @@ def by_stop(motor, program, check, what="STOP, CONT", ignored=()):
     ends_with(process, motor, check, what, 1, "the order to run is gone; the motor stands")
 
 
+def by_a_long_stop(motor, program, check):
+    """The drive trips meanwhile: no row says that it runs."""
+    process = turning(motor, program, check, "a long STOP")
+    process.send_signal(signal.SIGSTOP)
+    os.waitpid(process.pid, os.WUNTRACED)
+    check(soon(motor.has_stopped, LIMIT), "a long STOP: the drive trips", motor.shown())
+    process.send_signal(signal.SIGCONT)
+    out = ends_with(process, motor, check, "a long STOP", 1, "the order to run is gone; fault: SLF", stands=False)
+    rows = [re.split(r"  +", row.strip())[:2] for row in out.splitlines()[1:]]
+    behind = [state for seconds, state in rows if float(seconds) > QUICK / 10]
+    check(behind and "operation enabled" not in behind, "a long STOP: nothing old is shown as if it were now", out)
+
+
+def by_a_stop_on_the_ramp(motor, program, check):
+    """Nobody looked meanwhile whether the motor follows."""
+    process = turning(motor, program, check, "STOP on the ramp")
+    check(motor.reaches(SPEED), "STOP on the ramp: it is fast", motor.shown())
+    process.send_signal(signal.SIGINT)
+    check(soon(lambda: motor.shown()[1] < SPEED), "STOP on the ramp: it slows down", motor.shown())
+    process.send_signal(signal.SIGSTOP)
+    os.waitpid(process.pid, os.WUNTRACED)
+    time.sleep(UNFOLLOWED + 1)
+    process.send_signal(signal.SIGCONT)
+    ends_with(process, motor, check, "STOP on the ramp", 1, "ended: Interrupt; fault: SLF", stands=False)
+
+
 def by_sleep(motor, program, check):
     by_stop(motor, program, check, "asleep", [signal.SIGCONT])
 
@@ -362,10 +389,10 @@ def with_nothing_open(motor, program, check):
 
 
 WAYS = (by_its_time, by_speed, by_fault, by_lost_line, by_deaf_line, by_another_master, by_a_word_of_another_master, by_local, by_two_interrupts,
-        by_a_held_interrupt, by_signals, by_suspension, by_stop, by_sleep, by_abort, by_a_full_disk, by_its_reader, behind_a_full_pipe,
-        by_its_terminal, by_its_terminal_behind_nohup, with_nothing_open)
-TIMES = {by_lost_line: 60, by_deaf_line: 300, by_stop: 60, by_sleep: 60}
-RAMPS = {by_two_interrupts: 100, by_a_held_interrupt: 100}
+        by_a_held_interrupt, by_signals, by_suspension, by_stop, by_a_long_stop, by_a_stop_on_the_ramp, by_sleep, by_abort, by_a_full_disk,
+        by_its_reader, behind_a_full_pipe, by_its_terminal, by_its_terminal_behind_nohup, with_nothing_open)
+TIMES = {by_lost_line: 60, by_deaf_line: 300, by_stop: 60, by_sleep: 60, by_a_long_stop: QUICK, by_a_stop_on_the_ramp: 60}
+RAMPS = {by_two_interrupts: 100, by_a_held_interrupt: 100, by_a_stop_on_the_ramp: 500}
 
 
 def ways(program, check):

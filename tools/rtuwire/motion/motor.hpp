@@ -22,6 +22,7 @@ inline constexpr char const no_power_text[] = "the motor has no power, and coast
 /// What was read last. It may be old where `is_linked` is false.
 struct motor_sight {
     rtuwire::cia402::state state{rtuwire::cia402::state::unknown};
+    bool is_old{false};       ///< the program was paused since, and nothing was read behind that
     bool is_linked{false};    ///< the drive answers, and was found fit to be commanded
     bool is_able{false};      ///< it takes an order
     bool is_ordered{false};   ///< it has one
@@ -52,6 +53,9 @@ public:
 
     /// Stops it. A freewheel may follow another stop.
     virtual void stop(rtuwire::altivar::stop_by how) = 0;
+
+    /// The program was paused: what was read before tells nothing of now.
+    virtual void note_pause() = 0;
 
     [[nodiscard]] virtual motor_sight sight() const = 0;
 

@@ -63,8 +63,8 @@ void motor_display::say(motor_sight const& seen, std::string const& sentence)
 
 std::string motor_display::state_text(motor_sight const& seen) const
 {
-    return seen.is_linked ? std::string{std::string_view{name_of(seen.state)}}
-                          : std::string{was_linked_ ? "no link" : "nothing read yet"};
+    return seen.is_linked and not seen.is_old ? std::string{std::string_view{name_of(seen.state)}}
+                                              : std::string{was_linked_ ? "no link" : "nothing read yet"};
 }
 
 record motor_display::record_of(motor_sight const& seen, std::string const& note) const

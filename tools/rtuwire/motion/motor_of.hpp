@@ -59,10 +59,9 @@ public:
         bus_.converse(0, cycle_, now);
         if (not shown_ and cycle_.supervision().finding == rtuwire::altivar::outcome_kind::succeeded and
             clock::now() >= shown_at_) {
-            asks_fault_ = cycle_.control().state() == rtuwire::cia402::state::fault and sight_.fault == 0;
-            shown_.emplace(unit_, asks_fault_ ? rtuwire::read_holding_registers{.start = Device::layout.lft, .count = 1}
-                                              : rtuwire::read_holding_registers{.start = Device::layout.rfr,
-                                                                                .count = shown_words});
+            bool const is_in_fault = cycle_.control().state() == rtuwire::cia402::state::fault;
+            asked_ = sight_.is_old ? look::state : is_in_fault and sight_.fault == 0 ? look::fault : look::output;
+            shown_.emplace(unit_, request_of(asked_));
         }
         if (shown_) {
             bus_.converse(1, *shown_, now);
@@ -85,9 +84,14 @@ public:
 
     void stop(rtuwire::altivar::stop_by how) override
     {
-        sight_.has_output = false;
-        is_old_ = shown_.has_value();
+        look_again();
         cycle_.stop(how);
+    }
+
+    void note_pause() override
+    {
+        look_again();
+        sight_.is_old = true;
     }
 
     motor_sight sight() const override
@@ -107,6 +111,18 @@ public:
     rtuwire::altivar::supervision_report const& supervision() const override { return cycle_.supervision(); }
 
 private:
+    enum class look { output, fault, state };
+
+    static constexpr rtuwire::read_holding_registers request_of(look what) noexcept
+    {
+        switch (what) {
+        case look::fault: return {.start = Device::layout.lft, .count = 1};
+        case look::state: return {.start = Device::layout.eta, .count = 1};
+        case look::output: break;
+        }
+        return {.start = Device::layout.rfr, .count = shown_words};
+    }
+
     static rtuwire::altivar::run_direction direction_of(asked_motion const& asked)
     {
         return asked.is_reverse ? rtuwire::altivar::run_direction::reverse : rtuwire::altivar::run_direction::forward;
@@ -131,6 +147,12 @@ private:
 
     bool turns_back() const noexcept { return (cycle_.control().status() & rtuwire::altivar::runs_backwards_bit) != 0; }
 
+    void look_again() noexcept
+    {
+        sight_.has_output = false;
+        is_old_ = shown_.has_value();
+    }
+
     void take_shown()
     {
         if (not shown_->settled()) {
@@ -138,8 +160,10 @@ private:
         }
         auto const outcome = shown_->outcome();
         auto const read = outcome ? outcome->template to<rtuwire::read_holding_registers>() : outcome.error();
-        if (read and asks_fault_) {
+        if (read and asked_ == look::fault) {
             sight_.fault = read->registers[0];
+        } else if (read and asked_ == look::state) { // the cycle may know an older one yet
+            sight_.is_old = is_old_ or rtuwire::cia402::decode(read->registers[0]) != cycle_.control().state();
         } else if (read and not is_old_) {
             sight_.output = static_cast<std::int16_t>(read->registers[0]);
             sight_.current = read->registers[shown_words - 1];
@@ -148,7 +172,7 @@ private:
         }
         is_old_ = false;
         shown_.reset();
-        shown_at_ = asks_fault_ ? clock::now() : clock::now() + shown_every;
+        shown_at_ = asked_ == look::output ? clock::now() + shown_every : clock::now();
     }
 
     any_port& port_;
@@ -161,7 +185,7 @@ private:
     clock::time_point shown_at_; ///< counts 64 bits: a link may be lost for an hour
     motor_sight sight_{};
     std::array<std::byte, rtuwire::max_adu_size> input_{};
-    bool asks_fault_{false};
+    look asked_{look::output};
     bool is_old_{false}; ///< what is on its way was asked before the stop
 };
 

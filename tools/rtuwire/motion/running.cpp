@@ -26,6 +26,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr seconds longest_look{3};      ///< between two passes, before the drive's time-out was read
+constexpr seconds longest_row{1};       ///< how old what is shown may be
 constexpr milliseconds limit_seen{500}; ///< behind a new reference
 constexpr seconds one_press{1};         ///< a key that is held repeats itself, and a hand that is hurried presses twice
 constexpr seconds connect_limit{5};     ///< to the first exchange of words
@@ -68,7 +69,7 @@ std::string words_with_limit(rtuwire::altivar::reason const& why)
 running::running(std::unique_ptr<motor> which, asked_motion const& asked, any_port& port, rtuwire::unit_id unit,
                  drive_catalog const& drive, choices const& chosen)
     : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{chosen.form, drive},
-      must_end_{longest_look}, line_{chosen.line}, asked_{asked}
+      must_end_{longest_look}, pause_{longest_row}, line_{chosen.line}, asked_{asked}
 {
     if (chosen.last) {
         length_ = std::chrono::duration<double>{*chosen.last};
@@ -104,11 +105,22 @@ bool running::pass()
     if (must_end_) {
         return false;
     }
+    go_on();
+    return true;
+}
+
+/// One pass of the motor, and whether the program was paused since the last one: then nobody looked meanwhile.
+bool running::go_on()
+{
     if (not motor_->pass()) {
         throw ended{exit_status::port, port_.failure() + "; " + own_stop()};
     }
+    bool const was_paused = pause_.is_too_long();
+    if (was_paused) {
+        motor_->note_pause();
+    }
     display_.show(motor_->sight());
-    return true;
+    return was_paused;
 }
 
 std::optional<motion_end> running::connect()
@@ -343,10 +355,9 @@ std::string running::stop(motion_end& end)
     int slowest = 65'536;
     while (not stands()) {
         heed_interrupts();
-        if (not motor_->pass()) {
-            throw ended{exit_status::port, port_.failure() + "; " + own_stop()};
+        if (go_on()) {
+            heard = slowed = clock::now();
         }
-        display_.show(motor_->sight());
         motor_sight const seen = motor_->sight();
         auto const now = clock::now();
         heard = seen.is_linked ? now : heard;

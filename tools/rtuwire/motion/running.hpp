@@ -42,6 +42,7 @@ private:
     using clock = std::chrono::steady_clock;
 
     bool pass();
+    bool go_on();
     /// Each until it is so; or why it ends before.
     std::optional<motion_end> connect();
     std::optional<motion_end> order();
@@ -66,6 +67,7 @@ private:
     drive_catalog const& drive_;
     motor_display display_;
     reason_to_end must_end_;
+    missed_time pause_;
     std::optional<std::chrono::duration<double>> length_{};
     std::optional<clock::time_point> limit_due_{};      ///< when to look whether the drive limits what was typed
     std::optional<clock::time_point> interrupted_at_{}; ///< by the first Ctrl-C
