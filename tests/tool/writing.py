@@ -4,10 +4,13 @@
 
     python3 writing.py TOOL
 """
+import json
 import os
+import queue
 import re
+import signal
 
-from support import DIFFERS, DONE, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs, with_crc
+from support import DIFFERS, DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs, with_crc
 
 # Word, status, and what is said. The unit has these registers, as an ATV320 has them.
 REFUSALS = [
@@ -74,6 +77,35 @@ REFUSALS = [
 REGISTERS = {3201: 0x0250, 3104: 500, 3105: 0, 9001: 30, 9020: 1, 8401: 1, 3202: 0, 8501: 0, 8502: 0, 8504: 0, 8602: 0,
              12345: 7, 12721: 8501, 12722: 8602, 12761: 0, 8413: 164, 8423: 10, 8431: 0, 7122: 0, 7010: 1, 3103: 600,
              6001: 7}
+
+
+class Interrupting(Units):
+    """Presses Ctrl-C where the second write has come, before it answers that."""
+
+    def __init__(self, units):
+        self.waiting_for, self.writes = queue.Queue(), 0
+        super().__init__(units)
+
+    def answer(self, request):
+        self.writes += request[1] == 6
+        if request[1] == 6 and self.writes == 2:
+            self.waiting_for.get().send_signal(signal.SIGINT)
+        return super().answer(request)
+
+
+def check_interrupt(tool, check):
+    """Ctrl-C between two values: what was begun is ended, told and noted."""
+    with Interrupting({7: dict(REGISTERS)}) as line:
+        process = tool.start("--port", line.name, "-u", "7", "--no-listen", "-d", "atv320", "--write", "--json", "write",
+                             "HSP=49Hz", "HSP=48Hz", "LSP=1Hz", "HSP=47Hz")
+        line.waiting_for.put(process)
+        output, errors = process.communicate(timeout=LIMIT)
+        errors_of = [row.get("error") for row in map(json.loads, output.splitlines())]
+        check(process.returncode == 130, "Ctrl-C: its status is that of the signal", (process.returncode, output, errors))
+        check(errors_of == [None, None, "not tried", "not tried"], "what was begun is told, and the rest is not begun", output)
+        check(line.units[7][3104] == 480 and line.units[7][3105] == 0, "which is so", line.units[7])
+        log = (tool.place / "state" / "rtuwire" / "writes.log").read_text()
+        check("48.0 Hz" in log.splitlines()[-1], "and noted", log)
 
 
 def check_refusals(tool, check):
@@ -277,7 +309,7 @@ def check_question(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_refusals, check_together, check_write, check_results, check_permissions, check_log, check_terminal,
+        for part in (check_refusals, check_together, check_write, check_interrupt, check_results, check_permissions, check_log, check_terminal,
                      check_question):
             part(tool, check)
 

@@ -11,6 +11,7 @@
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
+#include "line/end_wish.hpp"
 #include "line/line_words.hpp"
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
@@ -57,8 +58,12 @@ public:
             }
             refuse_what_changed(values, checked(line));
         }
+        note_signals();
         exit_status status = exit_status::done;
         for (std::size_t i = 0; i < values.size(); ++i) {
+            if (status == exit_status::done and noted_signal() != 0) { // between two of them: what was begun is told
+                status = static_cast<exit_status>(128 + noted_signal());
+            }
             if (status == exit_status::done) {
                 status = write(line, values[i], before[i]);
             } else {
