@@ -4,7 +4,7 @@
 
     python3 reading.py TOOL
 """
-from support import DIFFERS, DONE, DRIVES, NO_ANSWER, PORT, USAGE, Simulator, Tool, Units, runs
+from support import DIFFERS, DONE, DRIVES, NO_ANSWER, PORT, USAGE, Simulator, Tool, Units, runs, with_crc
 
 from pair import free_port  # noqa: I100
 
@@ -44,6 +44,25 @@ def check_words(tool, check):
     check(read(tool, "3201-3203") == ["ETA", "RFR", "FRH"], "a range")
     ended = tool.run("-u", 7, "-d", "atv320", "read", "RFRR")
     check(ended.status == USAGE and "RFRR" in ended.errors and "RFR" in ended.errors, "a wrong one", ended)
+
+
+class Short(Units):
+    """Takes 60 registers in a request."""
+
+    def answer(self, request):
+        if request[1] == 3 and int.from_bytes(request[4:6], "big") > 60:
+            return with_crc(bytes([request[0], 0x83, 3]))
+        return super().answer(request)
+
+
+def check_long_range(tool, check):
+    """More registers than a unit takes in a request are read by more of them."""
+    with Short({7: {each: each for each in range(100, 240) if each != 130}}) as line:
+        words = ["--port", line.name, "-u", "7", "--no-listen", "--json", "read", "100-239"]
+        ended = tool.run(*words)
+        rows = ended.objects()
+        check([row.get("raw") for row in rows] == [each if each != 130 else None for each in range(100, 240)], "each is told", ended)
+        check(ended.status == DIFFERS and rows[30]["error"].startswith("illegal data address"), "but the one that is not there", ended)
 
 
 def check_parameters(tool, check):
@@ -178,7 +197,7 @@ def main(check, program):
         for part in (check_forms, check_words, check_parameters, check_menu_numbers, check_faults, check_identity):
             part(tool, check)
     with Tool(program) as tool:
-        for part in (check_ports, check_no_identity, check_unknown_units):
+        for part in (check_ports, check_no_identity, check_unknown_units, check_long_range):
             part(tool, check)
         with Units({1: dict.fromkeys(range(10), 3)}) as line:
             check(tool.run("--port", line.name, "--listen", "0.05", "identify").status != PORT, "a unit that says nothing")

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "line/register_reader.hpp"
 
+#include <algorithm>
+
 namespace tool {
 
 using rtuwire::errc;
@@ -52,7 +54,9 @@ errc register_reader::read(open_line& line, rtuwire::unit_id unit, block const& 
     std::string const failure = outcome ? std::string{} : line.words_of_failure(outcome.error());
     for (std::uint16_t i = 0; i < which.count; ++i) {
         auto const address = static_cast<std::uint16_t>(which.start + i);
-        if (not outcome) {
+        if (outcome) {
+            failures_.erase(address);
+        } else {
             failures_.insert_or_assign(address, failure);
         }
         words_.insert_or_assign(address, outcome ? rtuwire::result<std::uint16_t>{outcome->registers[i]}
@@ -61,20 +65,32 @@ errc register_reader::read(open_line& line, rtuwire::unit_id unit, block const& 
     return outcome.error();
 }
 
+/// What refuses a block may tell some of it alone; what takes no block so long, halves of it.
+errc register_reader::read_parts(open_line& line, rtuwire::unit_id unit, block const& which)
+{
+    errc const whole = read(line, unit, which);
+    bool const is_too_long = whole == errc::illegal_data_value;
+    if (which.count < 2 or not(is_too_long or whole == errc::illegal_data_address)) {
+        return whole;
+    }
+    auto const part = static_cast<std::uint16_t>(is_too_long ? (which.count + 1U) / 2U : 1U);
+    errc outcome = errc::none;
+    for (unsigned done = 0; done < which.count; done += part) {
+        errc const one = read_parts(line, unit,
+                                    {static_cast<std::uint16_t>(which.start + done),
+                                     static_cast<std::uint16_t>(std::min<unsigned>(part, which.count - done))});
+        outcome = outcome == errc::none ? one : outcome;
+    }
+    return outcome;
+}
+
 void register_reader::read(open_line& line, rtuwire::unit_id unit)
 {
     first_error_ = errc::none;
     first_failure_.clear();
     failures_.clear();
     for (block const& each : blocks_) {
-        errc outcome = read(line, unit, each);
-        if (outcome == errc::illegal_data_address and each.count > 1) {
-            outcome = errc::none;
-            for (std::uint16_t i = 0; i < each.count; ++i) {
-                errc const one = read(line, unit, {static_cast<std::uint16_t>(each.start + i), 1});
-                outcome = outcome == errc::none ? one : outcome;
-            }
-        }
+        errc const outcome = read_parts(line, unit, each);
         if (status_of(outcome) == exit_status::port) {
             throw ended{exit_status::port, line.port().failure()};
         }

@@ -25,7 +25,7 @@ public:
     /// With the registers that set the steps of those that were chosen. Without a drive (null) up to 125 at once.
     register_reader(std::vector<chosen_register> const& chosen, drive_catalog const* drive);
 
-    /// One round. What a unit refuses together is read one by one. Ends where the port fails.
+    /// One round. What a unit refuses together is read in parts. Ends where the port fails.
     void read(open_line& line, rtuwire::unit_id unit);
 
     /// What the last round read at an address, or why not.
@@ -51,6 +51,7 @@ private:
     /// Whether a request over both addresses meets only registers that the drive has.
     bool may_reach(std::uint16_t from, std::uint16_t to) const;
     rtuwire::errc read(open_line& line, rtuwire::unit_id unit, block const& which);
+    rtuwire::errc read_parts(open_line& line, rtuwire::unit_id unit, block const& which);
 
     drive_catalog const* drive_;
     unsigned limit_;
