@@ -330,7 +330,7 @@ def by_a_full_disk(motor, program, check):
     with open("/dev/full", "wb") as out:
         process = motor.start(program, stdout=out)
         found, _, error = end(process)
-    check(found == 4 and "No space left" in error, "full disk: it says so", (found, error))
+    check(found == 4 and "No space left on device; the motor is not started" in error, "full disk: it says so", (found, error))
     check(motor.stands(), "full disk: the motor stands", motor.shown())
 
 

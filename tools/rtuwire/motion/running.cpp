@@ -134,7 +134,7 @@ std::optional<motion_end> running::connect()
             return refusal_of_check();
         }
         if (not pass()) {
-            return interrupted();
+            return not_begun();
         }
     }
     rtuwire::duration const timeout = motor_->supervision().period.timeout;
@@ -199,7 +199,7 @@ std::optional<motion_end> running::order()
             return refusal_of_check();
         }
         if (not pass()) {
-            return interrupted();
+            return not_begun();
         }
     }
     if (int const failure = standard_output.failure(); failure != 0) {
@@ -291,6 +291,12 @@ motion_end running::interrupted() const
                                : failure != 0   ? exit_status::port
                                                 : exit_status::differs;
     return {status, "ended: " + must_end_.text()};
+}
+
+motion_end running::not_begun() const
+{
+    motion_end const why = interrupted();
+    return {why.status, why.sentence + "; the motor is not started"};
 }
 
 motion_end running::order_lost() const

@@ -55,6 +55,7 @@ private:
     std::string remedy_for(rtuwire::altivar::outcome_kind finding, register_entry const& entry) const;
     motion_end order_lost() const;
     motion_end interrupted() const;
+    motion_end not_begun() const;
     std::string own_stop() const;
     std::string limit_text() const;
     std::string fault_text() const;
