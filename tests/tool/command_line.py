@@ -15,6 +15,7 @@ CABINET = "sim:atv320:7,atv12:3"
 
 WRONG = [
     (["raed", "RFR"], ["'raed' is no command", "'read'"]),
+    (["--for", "1s", "sniff"], ["'--for' belongs behind 'sniff'"]),
     (["read", "RFR", "--baudd", "9600"], ["'--baudd' is no option", "'--baud'"]),
     (["read"], ["REG"]),
     (["list", "--drive", "atv99"], ["atv99"]),

@@ -209,6 +209,10 @@ std::string wrong_word(CLI::App const& app)
     std::vector<std::string> const options = options_of(app);
     for (std::string const& word : app.remaining(true)) {
         bool const is_option = word.starts_with('-');
+        bool const is_of_command = has_command and std::ranges::find(options, word) != options.end();
+        if (is_of_command) { // and stands in front of it
+            return "'" + word + "' belongs behind '" + app.get_subcommands().front()->get_name() + "'";
+        }
         if (is_option) {
             return "'" + word + "' is no option" +
                    suggestion(word, std::vector<std::string_view>{options.begin(), options.end()});
