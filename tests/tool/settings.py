@@ -220,6 +220,11 @@ def check_refusals(tool, check):
             is_told = ended.errors.startswith("rtuwire: limits.json:2:") and code in ended.errors
             check(ended.status == USAGE and (is_told or "stands" in ended.errors) and not line.requests,
                   f"{code} out of its limits is refused with its place", ended)
+    own_file(tool, "above.json", HSP=3000)
+    with Units({7: registers_of_drive(tool)}) as line:
+        ended = tool.run(*how(line), "--write", "restore", "above.json")
+        check(ended.status == DIFFERS and not writes(line) and "cannot be written as it is wanted" in ended.errors,
+              "what another register limits is no value that reads back otherwise", ended)
     own_file(tool, "other.json", drive="atv320", HSP=450)
     own_file(tool, "wanted.json", ACC=50, SP2=120)
     for words, says in (({3201: 0x0627}, "while the motor is stopped"), ({8501: 0x000F}, "command"), ({3202: 120}, "while the motor is stopped")):

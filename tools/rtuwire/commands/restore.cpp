@@ -179,7 +179,7 @@ private:
         bool const is_other_drive = how.reason.kind == outcome_kind::other_family;
         std::string text = how.port_error != rtuwire::errc::none ? line.port().failure()
                            : how.was_ended                       ? "ended by a signal"
-                                                                 : sentence_of(how.reason) + remedy_for(how.reason);
+                                           : sentence_for(how.reason, record) + remedy_for(how.reason);
         text += note.empty() ? "" : "; " + note;
         if (is_other_drive) {
             tell_of_another_drive(text);
@@ -190,6 +190,13 @@ private:
         return how.port_error != rtuwire::errc::none ? exit_status::port
                : how.was_ended                       ? static_cast<exit_status>(128 + noted_signal())
                                                      : status_for(how.reason);
+    }
+
+    /// What could not even be tried ends a restore as what reads back otherwise does.
+    static std::string sentence_for(altivar::reason const& why, restore_record const& record)
+    {
+        bool const was_not_tried = why.kind == outcome_kind::not_taken and record.count(restore_outcome::differs) == 0;
+        return was_not_tried ? "a setting cannot be written as it is wanted: its row says why" : sentence_of(why);
     }
 
     std::string remedy_for(altivar::reason const& why) const
