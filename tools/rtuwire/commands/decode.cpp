@@ -76,7 +76,8 @@ std::string joined(std::vector<std::string> const& words)
 class explaining {
 public:
     explicit explaining(choices const& chosen)
-        : decoder_{chosen.line.drive.empty() ? nullptr : &catalog_chosen(chosen.line.drive)}, printer_{chosen.form}
+        : words_{joined(chosen.words)},
+          decoder_{chosen.line.drive.empty() ? nullptr : &catalog_chosen(chosen.line.drive)}, printer_{chosen.form}
     {}
 
     /// A line's bytes; both readings of digits whose CRC is right in neither.
@@ -103,12 +104,16 @@ public:
     exit_status finish() const
     {
         if (not has_bytes_) {
-            refuse_word("there are no bytes to explain");
+            bool const is_typed = not words_.empty() and words_ != "-";
+            refuse_word(is_typed ? words_ + ": there are no bytes to explain in this; a capture is given by -p FILE, a "
+                                            "file of lines on the standard input: decode - <FILE"
+                                 : "there are no bytes to explain");
         }
         return status_;
     }
 
 private:
+    std::string words_;
     frame_decoder decoder_;
     frame_printer printer_;
     exit_status status_{exit_status::done};
