@@ -24,7 +24,7 @@ REFUSALS = [
     ("SP2=1Hzz", USAGE, ["SP2"]),
     ("SP2=700Hz", USAGE, ["SP2", "599.0 Hz"]),
     ("CLI=1A", USAGE, ["CLI", "read only"]),
-    ("9001=70000", USAGE, ["70000"]),
+    ("9001=70000", USAGE, ["9001=70000s", "9001=#1 or"]),
     # Whoever has read raw counts at an address may mean them: no tenfold value.
     ("9001=25", USAGE, ["9001 is ACC", "9001=25s", "9001=#25", "9001=0x0019"]),
     ("9001=2.5", USAGE, ["9001 is ACC", "9001=2.5s", "9001=#"]),

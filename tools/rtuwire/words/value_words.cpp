@@ -168,8 +168,7 @@ private:
         std::string_view const name = word_.substr(0, word_.find('='));
         std::string const typed = name == entry.menu ? std::string{name} : std::to_string(entry.address);
         std::string const address = typed + "=";
-        bool const is_whole = number.find('.') == number.npos;
-        std::string const raw = is_whole ? std::string{number} : "1";
+        std::string const raw{word_number(number) ? number : "1"};
         auto const hex = word_number(raw);
         std::string const with_unit = entry.unit.empty() ? std::string{entry.code} + "=" + std::string{number}
                                                          : address + std::string{number} + std::string{entry.unit};
