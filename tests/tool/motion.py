@@ -219,9 +219,15 @@ def by_another_master(motor, program, check):
 
 
 def by_a_word_of_another_master(motor, program, check):
-    """It takes the motor's power away, and the drive's state is all that is read of it."""
+    """It takes the motor's power away, and the drive's state is all that is read of it; between the two halves of an exchange
+    one such word is overwritten unseen."""
     process = turning(motor, program, check, "a word of another master")
-    motor.write(8501, 6)
+
+    def falls_back():
+        motor.write(8501, 6)
+        soon(lambda: process.poll() is not None or motor.shown()[0] == "operation enabled")
+        return process.poll() is not None
+    soon(falls_back)
     ends_with(process, motor, check, "a word of another master", 1, "another master")
 
 
