@@ -156,7 +156,7 @@ template <typename Device> void use_motion()
     use_everywhere<Device>("start", [&] { return start{at, 40_Hz}; });
     for (stop_by const how :
          {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop, stop_by::halt, stop_by::dc_injection}) {
-        if (altivar::detail::has_stop(Device::layout, how)) {
+        if (rtuwire::detail::has_stop(Device::layout, how)) {
             use_everywhere<Device>("stop", [&] { return stop{at, how, milliseconds(2'000)}; });
         }
     }

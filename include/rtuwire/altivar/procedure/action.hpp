@@ -92,20 +92,24 @@ enum class action : std::uint64_t {};
     return duration{static_cast<std::uint32_t>(static_cast<std::uint64_t>(of) >> 32U)};
 }
 
-namespace detail {
+} // namespace rtuwire::altivar
 
-constexpr action with(action what, std::uint64_t bits, unsigned at) noexcept
+namespace rtuwire::inline RTUWIRE_BUILD::detail {
+
+constexpr altivar::action with(altivar::action what, std::uint64_t bits, unsigned at) noexcept
 {
-    return action{static_cast<std::uint64_t>(what) | bits << at};
+    return altivar::action{static_cast<std::uint64_t>(what) | bits << at};
 }
 
-constexpr action to_write(std::uint16_t address, std::uint16_t word, effect does) noexcept
+constexpr altivar::action to_write(std::uint16_t address, std::uint16_t word, effect does) noexcept
 {
-    constexpr action write{static_cast<std::uint64_t>(action_kind::write)};
+    constexpr altivar::action write{static_cast<std::uint64_t>(altivar::action_kind::write)};
     return with(with(with(write, static_cast<std::uint64_t>(does), 4), address, 16), word, 32);
 }
 
-} // namespace detail
+} // namespace rtuwire::detail
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 [[nodiscard]] constexpr action to_read(std::uint16_t address) noexcept
 {

@@ -40,7 +40,9 @@ enum class stop_begin : std::uint8_t {
     look_first, ///< with one read of CHCF, 100 ms at most; then with the word asked for, or with 0000 where that fails
 };
 
-namespace detail {
+} // namespace rtuwire::altivar
+
+namespace rtuwire::inline RTUWIRE_BUILD::detail {
 
 /// What a stop asks: it reads one of these, or has its word confirmed.
 enum class stop_asks : std::uint8_t { status, fault, control, frequency, word };
@@ -48,16 +50,16 @@ enum class stop_asks : std::uint8_t { status, fault, control, frequency, word };
 /// How long a read may wait for its turn while no word was sent to the drive yet.
 inline constexpr duration longest_wait_of_a_stop{milliseconds(1'000)};
 
-[[nodiscard]] constexpr bool has_stop(drive_layout const& layout, stop_by mode) noexcept
+[[nodiscard]] constexpr bool has_stop(altivar::drive_layout const& layout, altivar::stop_by mode) noexcept
 {
-    return not(mode == stop_by::dc_injection and layout.dc_injection == 0) and
-           not(mode == stop_by::halt and layout.halt == 0);
+    return not(mode == altivar::stop_by::dc_injection and layout.dc_injection == 0) and
+           not(mode == altivar::stop_by::halt and layout.halt == 0);
 }
 
 /// Whether a stop reads first, and needs power for its word.
-[[nodiscard]] constexpr bool is_in_place(stop_by mode) noexcept
+[[nodiscard]] constexpr bool is_in_place(altivar::stop_by mode) noexcept
 {
-    return mode == stop_by::halt or mode == stop_by::dc_injection;
+    return mode == altivar::stop_by::halt or mode == altivar::stop_by::dc_injection;
 }
 
 /// The output frequency, as it was read again and again; in 0.1 Hz, without its sign.
@@ -101,7 +103,9 @@ private:
     bool is_compared_{false};
 };
 
-} // namespace detail
+} // namespace rtuwire::detail
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides a stop, word by word. Its word is that of the ramp, the quick stop or the freewheel until the motor stands,
 /// then 0000; "in place" are halt and DC injection, which read first and whose word needs power.
