@@ -12,6 +12,7 @@
 #include "../tests/support/asking.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using fuzz::require;
 
 namespace {

@@ -12,6 +12,7 @@
 #include "../tests/support/pdus.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "input.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using fuzz::require;
 
 namespace {

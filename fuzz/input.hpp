@@ -33,7 +33,7 @@ public:
         if (bytes_.empty()) {
             return 0;
         }
-        std::uint8_t const first = rtuwire::to_u8(bytes_[0]);
+        std::uint8_t const first = rtuwire::detail::to_u8(bytes_[0]);
         bytes_ = bytes_.subspan(1);
         return first;
     }
@@ -64,8 +64,8 @@ public:
         }
         if (has_crc) {
             std::uint16_t const crc = rtuwire::crc16(view());
-            place_[size_++] = rtuwire::to_byte(crc);
-            place_[size_++] = rtuwire::to_byte(std::uint32_t{crc} >> 8U);
+            place_[size_++] = rtuwire::detail::to_byte(crc);
+            place_[size_++] = rtuwire::detail::to_byte(std::uint32_t{crc} >> 8U);
         }
     }
 

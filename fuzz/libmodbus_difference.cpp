@@ -17,6 +17,7 @@
 #include "input.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using fuzz::require;
 
 /// In the place of the system's: libmodbus sleeps before it refuses, be it for a microsecond, which takes 60, and then

@@ -13,6 +13,7 @@
 #include "input.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

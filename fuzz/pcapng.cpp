@@ -10,6 +10,7 @@
 #include "input.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace tool;
 using fuzz::require;
 

@@ -10,6 +10,7 @@
 #include "../tests/support/pdus.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using fuzz::require;
 
 namespace {

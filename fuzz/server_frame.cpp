@@ -9,6 +9,7 @@
 #include "../tests/support/whole_bank.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using fuzz::require;
 
 namespace {

@@ -11,6 +11,7 @@
 #include "../tests/support/whole_bank.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

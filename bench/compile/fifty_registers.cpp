@@ -7,6 +7,7 @@
 #include <rtuwire/client/client.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 void ask(byte_view frame);

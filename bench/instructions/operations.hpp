@@ -16,6 +16,7 @@
 namespace operations {
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 inline constexpr unit_id address{1};
 inline constexpr server_profile profile{};

@@ -15,6 +15,7 @@
 namespace operations {
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 struct memory {
     std::size_t sum{0};

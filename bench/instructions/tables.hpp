@@ -17,6 +17,7 @@
 namespace operations {
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 template <unsigned Address>
 inline constexpr reg<decihertz> one{.code = code<Address>, .address = Address, .min = 0, .max = 5'000};

@@ -17,6 +17,7 @@
 namespace operations {
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 inline constexpr unit_id address{1};
 inline constexpr auto read_4 = "01 03 00 01 00 04 15 C9"_hex;

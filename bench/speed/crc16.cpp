@@ -12,6 +12,7 @@
 #include <rtuwire/core/crc16.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

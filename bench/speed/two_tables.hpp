@@ -34,7 +34,7 @@ inline constexpr two_tables halves = make_two_tables();
     std::uint8_t low = 0xFF;
     std::uint8_t high = 0xFF;
     for (std::byte const byte : bytes) {
-        std::size_t const index = low ^ rtuwire::to_u8(byte);
+        std::size_t const index = low ^ rtuwire::detail::to_u8(byte);
         low = static_cast<std::uint8_t>(high ^ halves.low[index]);
         high = halves.high[index];
     }

@@ -10,7 +10,8 @@ import declarations  # noqa: I100  (the reader that holds docs/names.md to the h
 
 INTERNAL = re.compile(r"\bInternal\b")
 INTERNAL_HEADER = re.compile(r"^// Internal\b", re.MULTILINE)
-ALIAS = re.compile(r"^using (\w+) = (\w+)<", re.MULTILINE)
+ALIAS = re.compile(r"^using (\w+) = (?:detail::)?(\w+)<", re.MULTILINE)
+DETAIL = re.compile(r"^(?:namespace detail \{|\} // namespace detail)$|\bdetail::", re.MULTILINE)
 
 NAMESPACES = {
     "rtuwire": "All names of the library; docs/names.md sorts them by what they are for.",
@@ -52,10 +53,19 @@ def specialises(words, names):
     return words.startswith("template") and not names.isdisjoint(re.findall(r"\b(\w+)\s*<", head))
 
 
+def is_detail(space):
+    return space.endswith("::detail")
+
+
+def named_by_aliases(texts):
+    """Classes that are public by another name of their header only."""
+    return {match[2] for text in texts for match in ALIAS.finditer(text)}
+
+
 def internal_names(texts):
     """What headers declare and mark internal, or declare in an internal header."""
     return {each.name for text in texts for each in declarations.declarations(text)
-            if is_internal_header(text) or INTERNAL.search(each.comment)}
+            if is_internal_header(text) or INTERNAL.search(each.comment) or is_detail(each.space)} - named_by_aliases(texts)
 
 
 def with_what_aliases_name(text):
@@ -69,13 +79,14 @@ def with_what_aliases_name(text):
 
 def without_internal(text, names=()):
     code = declarations.code_of(text)
-    pieces, done, hidden = [], 0, set(names)
-    for _, begin, end in declarations.statements(code):
+    pieces, done, hidden, aliased = [], 0, set(names), named_by_aliases([text])
+    for space, begin, end in declarations.statements(code):
         first = begin + len(code[begin:end]) - len(code[begin:end].lstrip())
         start = text.rfind("\n", 0, first) + 1
         comment = declarations.comment_before(text, start)
-        if INTERNAL.search(comment) or (not comment and specialises(code[first:end], hidden)):
-            named = declarations.name_of(code[first:end])
+        named = declarations.name_of(code[first:end])
+        is_own = is_detail(space) and not (named and named[1] in aliased)
+        if is_own or INTERNAL.search(comment) or (not comment and specialises(code[first:end], hidden)):
             hidden.update(named[1:] if named else ())
             cut = comment_begin(text, first)
             pieces += [text[done:cut], blanked(text[cut:end])]
@@ -92,7 +103,7 @@ def stage(project, target):
         if is_internal_header(text):
             continue
         shown = inherited.with_inherited(without_internal(text, internal), known, known.keys() - internal)
-        shown = shown.replace("namespace rtuwire::inline RTUWIRE_BUILD", "namespace rtuwire")
+        shown = DETAIL.sub("", shown.replace("namespace rtuwire::inline RTUWIRE_BUILD", "namespace rtuwire"))
         place = target / path.relative_to(project / "include")
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(shown, encoding="utf-8")

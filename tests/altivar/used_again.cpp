@@ -38,6 +38,7 @@
 #include <rtuwire/client/line_echo_probe.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -12,6 +12,7 @@
 #include <rtuwire/ask/poller.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -14,6 +14,7 @@
 #include <rtuwire/wire/serial_line/file_records.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

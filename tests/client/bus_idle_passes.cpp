@@ -18,6 +18,7 @@
 #include "support/random.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::test;
 
 namespace {

@@ -10,6 +10,7 @@
 #include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::test;
 
 namespace {

@@ -13,9 +13,9 @@ namespace {
 
 constexpr bool is_all_zero()
 {
-    using bytes = std::array<std::byte, sizeof(rtuwire::unit_order)>;
+    using bytes = std::array<std::byte, sizeof(rtuwire::detail::unit_order)>;
     bool ok = true;
-    for (std::byte const each : std::bit_cast<bytes>(rtuwire::nothing_known)) {
+    for (std::byte const each : std::bit_cast<bytes>(rtuwire::detail::nothing_known)) {
         ok = ok and each == std::byte{0};
     }
     return ok;

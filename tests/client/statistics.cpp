@@ -10,6 +10,7 @@
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::read_eta;
 using test::response_1234;
 

@@ -14,6 +14,7 @@
 namespace {
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::test;
 
 /// What a request gets whose response is these bytes and their CRC, and then silence.

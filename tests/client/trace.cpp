@@ -11,6 +11,7 @@
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::is;
 using test::kept_frames;
 using test::line;

@@ -11,6 +11,7 @@
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include <rtuwire/wire/errc.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

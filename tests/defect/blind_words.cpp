@@ -14,6 +14,7 @@
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

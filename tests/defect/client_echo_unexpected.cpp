@@ -15,6 +15,7 @@
 #include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::test;
 
 namespace {

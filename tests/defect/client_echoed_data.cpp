@@ -13,6 +13,7 @@
 #include <rtuwire/serial_line.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::test;
 
 namespace {

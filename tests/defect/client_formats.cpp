@@ -11,6 +11,7 @@
 #include <rtuwire/wire/errc_name.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::test;
 
 namespace {

@@ -14,6 +14,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 using frame_bytes = std::vector<std::byte>;
 
 /// A frame: these bytes and their CRC.

@@ -17,6 +17,7 @@
 #endif
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::test;
 using namespace rtuwire::altivar;
 

@@ -8,6 +8,7 @@
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::test;
 
 namespace {

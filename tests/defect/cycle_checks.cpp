@@ -10,6 +10,7 @@
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -18,6 +18,7 @@
 #include <rtuwire/sim/drive/unit.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -12,6 +12,7 @@
 #include <rtuwire/server/server.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::test;
 
 namespace {

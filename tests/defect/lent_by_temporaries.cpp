@@ -14,6 +14,7 @@
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using altivar::atv12::acc;
 using altivar::atv12::rfr;
 

@@ -12,6 +12,7 @@
 #include <rtuwire/table/form/whole.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <rtuwire/port/pseudo_terminal.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::soon;
 
 namespace {

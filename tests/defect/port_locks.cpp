@@ -20,6 +20,7 @@
 #include <rtuwire/port/pseudo_terminal.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

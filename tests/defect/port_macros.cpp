@@ -35,14 +35,14 @@ TEST_CASE("defect: (g) a device's major number is the system's")
 {
     for (unsigned const number : {0U, 1U, 4U, 136U, 143U, 188U, 255U, 256U, 4095U}) {
         for (unsigned const unit : {0U, 1U, 255U, 256U, 0xFFFFFU}) {
-            CHECK(rtuwire::device_major(makedev(number, unit)) == number);
+            CHECK(rtuwire::detail::device_major(makedev(number, unit)) == number);
         }
     }
     struct stat info {};
     REQUIRE(::stat("/dev/null", &info) == 0);
-    CHECK(rtuwire::device_major(info.st_rdev) == 1);
+    CHECK(rtuwire::detail::device_major(info.st_rdev) == 1);
     rtuwire::pseudo_terminal line;
     REQUIRE(line.open());
-    rtuwire::descriptor const far{::open(line.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
-    CHECK(rtuwire::is_pseudo_terminal(far.number()));
+    rtuwire::detail::descriptor const far{::open(line.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
+    CHECK(rtuwire::detail::is_pseudo_terminal(far.number()));
 }

@@ -15,6 +15,7 @@
 #ifdef __linux__
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

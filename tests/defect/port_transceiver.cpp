@@ -14,6 +14,7 @@
 #ifdef TIOCSRS485
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -16,6 +16,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 inline constexpr unit_id powered_unit{3};
 inline constexpr client_options quick{.response_timeout = milliseconds(100), .retries = 0};
 

@@ -13,6 +13,7 @@
 #include <rtuwire/table/read_plan.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -13,6 +13,7 @@
 #include <rtuwire/table/form/floating.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "share.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

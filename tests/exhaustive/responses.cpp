@@ -11,6 +11,7 @@
 #include "share.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <rtuwire/server.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 struct registers_and_coils : word_bank<4> {
 #ifndef REFUSED

@@ -5,6 +5,7 @@
 #include <rtuwire/core/time.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 #ifdef REFUSED
 constexpr duration limit = milliseconds(5'000'000);

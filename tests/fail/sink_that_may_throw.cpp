@@ -7,6 +7,7 @@
 #include <rtuwire/server.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 struct sink {
 #ifdef REFUSED

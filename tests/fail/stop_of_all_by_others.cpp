@@ -8,6 +8,7 @@
 #include <optional>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 struct hand_stop : commander {
 #ifndef REFUSED

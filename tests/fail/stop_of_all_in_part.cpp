@@ -8,6 +8,7 @@
 #include <optional>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 struct hand_stop : commander {
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,

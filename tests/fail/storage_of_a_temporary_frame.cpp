@@ -6,6 +6,7 @@
 #include <rtuwire/core/fixed_buffer.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 std::size_t place()
 {

@@ -7,6 +7,7 @@
 #include <rtuwire/table/write_plan.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 void act()

@@ -7,6 +7,7 @@
 #include <optional>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 struct early_commander : commander {
 #ifdef REFUSED

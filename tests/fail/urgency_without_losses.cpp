@@ -7,6 +7,7 @@
 #include <optional>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 struct careless_commander : commander {
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,

@@ -13,6 +13,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 using byte_list = std::vector<std::byte>;
 
 struct pair_of_frames {

@@ -19,6 +19,7 @@
 #include <rtuwire/wire/serial_line/device_identification.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -18,6 +18,8 @@
 
 namespace rtuwire::lives {
 
+using namespace detail;
+
 /// What befalls a port during one run.
 struct port_trouble {
     unsigned bad_reads{0};

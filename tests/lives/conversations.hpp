@@ -22,6 +22,8 @@
 
 namespace rtuwire::lives {
 
+using namespace detail;
+
 namespace a = altivar;
 
 using poll = single_request<read_holding_registers>;

@@ -20,6 +20,8 @@
 
 namespace rtuwire::lives {
 
+using namespace detail;
+
 /// Microseconds since a life began.
 using moment = std::uint64_t;
 

@@ -13,6 +13,8 @@
 
 namespace rtuwire::lives {
 
+using namespace detail;
+
 inline constexpr std::size_t slots = places - 1;
 
 using life_bus = bus<slots>;

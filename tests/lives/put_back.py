@@ -109,11 +109,12 @@ DEFECTS = [
     Defect("the loss of a motor that is left is put off", [
         (ORDERS, "if (own.answers_left == 0) { // else it was left before", "{")], LEFT, 3),
     Defect("broadcast_freewheel waits while a unit is lost", [
-        ("client/client.hpp", "return frees_all_units<Conversation> and not conversation.settled() ? effect::stopping : effect::none;",
-         "return effect::none;")],
+        ("client/client.hpp", """return detail::frees_all_units<Conversation> and not conversation.settled() ? detail::effect::stopping
+                                                                                    : detail::effect::none;""",
+         "return detail::effect::none;")],
         {"a stop whose word"}),
     Defect("broadcast_freewheel waits in a slot of a silent unit", [
-        (BUS, "return not frees_all_units<Conversation> and is_held_back(index, now);", "return is_held_back(index, now);")],
+        (BUS, "return not detail::frees_all_units<Conversation> and is_held_back(index, now);", "return is_held_back(index, now);")],
         {"a stop whose word"}),
     Defect("a stop that the drive does not have sends nothing", [
         (STOP, """        if (not detail::has_stop(layout(), mode_)) {

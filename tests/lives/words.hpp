@@ -11,6 +11,8 @@
 
 namespace rtuwire::lives {
 
+using namespace detail;
+
 /// What a control word asks for. Halt keeps the power.
 inline bool enables(std::uint16_t word, altivar::drive_layout const& profile)
 {

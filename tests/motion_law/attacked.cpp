@@ -18,6 +18,7 @@
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using device = atv320::device;
 using state = cia402::state;

@@ -17,6 +17,7 @@
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using namespace rtuwire::altivar::atv28;
 using state = cia402::state;

@@ -21,6 +21,7 @@
 #include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

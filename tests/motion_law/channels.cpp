@@ -16,6 +16,7 @@
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using state = cia402::state;
 

@@ -13,6 +13,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 inline constexpr std::uint32_t colliding_rate = 19'200;
 inline constexpr line_timing colliding_timing{colliding_rate, character_format::even_8_1};
 

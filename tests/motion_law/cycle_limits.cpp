@@ -12,6 +12,7 @@
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using kind = outcome_kind;
 

@@ -19,6 +19,7 @@
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using state = cia402::state;
 

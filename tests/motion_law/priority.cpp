@@ -16,6 +16,7 @@
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using state = cia402::state;
 

@@ -13,6 +13,7 @@
 #include <rtuwire/core/crc16.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using device = atv320::device;
 

@@ -14,6 +14,7 @@
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using test::cut_after;
 using test::plant;

@@ -14,6 +14,7 @@
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

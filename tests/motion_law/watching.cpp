@@ -18,6 +18,7 @@
 #include <rtuwire/sim/bench.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using state = cia402::state;
 

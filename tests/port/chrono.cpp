@@ -6,6 +6,7 @@
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace std::chrono_literals;
 
 namespace {

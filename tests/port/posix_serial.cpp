@@ -19,6 +19,7 @@
 #include <rtuwire/port/pseudo_terminal.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::soon;
 
 namespace {

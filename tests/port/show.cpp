@@ -39,8 +39,9 @@ template <typename T> std::string shown(T const& value)
     return out.str();
 }
 
-static_assert(not rtuwire::has_text<a_program::unscoped> and not rtuwire::has_text<a_program::scoped>);
-static_assert(not rtuwire::has_text<char[4]> and not rtuwire::has_text<std::string> and not rtuwire::has_text<int>);
+static_assert(not rtuwire::detail::has_text<a_program::unscoped> and not rtuwire::detail::has_text<a_program::scoped>);
+static_assert(not rtuwire::detail::has_text<char[4]> and not rtuwire::detail::has_text<std::string> and
+              not rtuwire::detail::has_text<int>);
 
 } // namespace
 
@@ -109,7 +110,7 @@ TEST_CASE("a reason calls a fault as each drive's last fault does")
         Device::registers::for_each([&]<auto const & R>() {
             for (std::uint16_t lft = 0; lft < 256 and R.code == rtuwire::literal{"LFT"}; ++lft) {
                 std::string const called = shown(altivar::common_fault(lft)),
-                                  own = shown(rtuwire::from_word<rtuwire::value_of<R>>(lft));
+                                  own = shown(rtuwire::detail::from_word<rtuwire::value_of<R>>(lft));
                 CHECK((called.empty() or called.substr(0, 3) == own.substr(0, 3)));
                 compared += called.empty() ? 0U : 1U;
             }
@@ -131,7 +132,7 @@ TEST_CASE("what a register holds goes to a stream, with each drive")
 {
     rtuwire::test::all_drives::for_each([]<typename Device>() {
         Device::registers::for_each([]<auto const & R>() {
-            auto const value = rtuwire::from_word<rtuwire::value_of<R>>(1);
+            auto const value = rtuwire::detail::from_word<rtuwire::value_of<R>>(1);
             std::string const code{R.code};
             INFO(code);
             CHECK(shown(value) == std::string{rtuwire::text_of(value)});

@@ -80,6 +80,7 @@ extern "C" int ppoll(pollfd* watched, nfds_t count, timespec const* limit, sigse
 }
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

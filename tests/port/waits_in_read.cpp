@@ -23,6 +23,7 @@
 #include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::soon;
 
 namespace {

@@ -12,6 +12,7 @@
 #include <rtuwire/rtu/line.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

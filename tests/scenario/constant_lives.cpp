@@ -12,6 +12,7 @@
 #include "support/whole_bank.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

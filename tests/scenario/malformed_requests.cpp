@@ -14,6 +14,7 @@
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::byte_list;
 using test::bytes_of;
 using test::feeding;

@@ -11,6 +11,7 @@
 #include "support/manual_unit.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::byte_list;
 using test::bytes_of;
 using test::feeding;

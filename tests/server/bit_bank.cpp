@@ -12,6 +12,7 @@
 #include <rtuwire/server/respond.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::is;
 
 namespace {

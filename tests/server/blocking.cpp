@@ -12,6 +12,7 @@
 #include <rtuwire/server/banks.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

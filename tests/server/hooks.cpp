@@ -17,6 +17,7 @@
 #include <rtuwire/server/respond.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

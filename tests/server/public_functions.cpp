@@ -13,6 +13,7 @@
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using rtuwire::test::whole_bank;
 
 namespace {

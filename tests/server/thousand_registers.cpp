@@ -17,6 +17,7 @@
 #include <rtuwire/table/read_plan.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::is;
 using test::kept_frames;
 using role = frame_role;

@@ -9,6 +9,7 @@
 #include <rtuwire/server/respond.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 
@@ -17,7 +18,8 @@ enum class lamp : std::uint16_t {};
 
 } // namespace
 
-template <> inline constexpr auto rtuwire::enumerators<valve> = rtuwire::name_list<valve>({{1, "closed"}, {4, "open"}});
+template <>
+inline constexpr auto rtuwire::enumerators<valve> = rtuwire::detail::name_list<valve>({{1, "closed"}, {4, "open"}});
 
 namespace {
 

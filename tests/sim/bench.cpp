@@ -19,6 +19,7 @@
 #include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

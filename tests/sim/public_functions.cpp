@@ -10,6 +10,7 @@
 #include <rtuwire/wire/functions.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -23,6 +23,7 @@
 #include <rtuwire/table/form/whole.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace meter {
 
@@ -31,8 +32,8 @@ enum class tariff : std::uint16_t { day = 1, night = 2 };
 } // namespace meter
 
 template <>
-inline constexpr auto rtuwire::enumerators<meter::tariff> = rtuwire::name_list<meter::tariff>({{1, "day"},
-                                                                                               {2, "night"}});
+inline constexpr auto rtuwire::enumerators<meter::tariff> = rtuwire::detail::name_list<meter::tariff>({{1, "day"},
+                                                                                                       {2, "night"}});
 
 namespace meter {
 

@@ -13,6 +13,8 @@
 
 namespace rtuwire::simulation {
 
+using namespace detail;
+
 /// A response on its way to the client.
 struct arrival {
     frame content{};

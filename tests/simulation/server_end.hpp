@@ -14,6 +14,8 @@
 
 namespace rtuwire::simulation {
 
+using namespace detail;
+
 /// What a server's registers tell: the transmission that it answers.
 struct telling_registers {
     std::uint32_t transmission{0};

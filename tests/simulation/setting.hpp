@@ -16,6 +16,8 @@
 
 namespace rtuwire::simulation {
 
+using namespace detail;
+
 /// Which lives are wanted.
 enum class choice : std::uint8_t {
     any,

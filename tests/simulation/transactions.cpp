@@ -14,6 +14,7 @@
 #include "world.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using simulation::telling_bank;
 using simulation::wiring;
 using simulation::word_of;

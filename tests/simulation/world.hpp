@@ -18,6 +18,8 @@
 
 namespace rtuwire::simulation {
 
+using namespace detail;
+
 /// What register `address` of `unit` holds, whatever is written to it.
 [[nodiscard]] inline std::uint16_t word_of(std::uint8_t unit, std::uint16_t address)
 {

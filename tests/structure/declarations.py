@@ -153,7 +153,7 @@ def name_of(words):
 
 def value_or_function(head):
     found = re.match(r"[^(=]*?(\w+)\s*(?:\[[^\]]*\]\s*)?(\(|=|;|$)", head.strip(), re.DOTALL)
-    if not found or "::" + found[1] in head.split("(")[0]:
+    if not found or re.search("::" + found[1] + r"\b", head.split("(")[0]):
         return None
     return ("function" if found[2] == "(" else "object"), found[1]
 

@@ -31,7 +31,7 @@ RULES = re.compile(r"\busing\s+response\b.*\bframe_rules\s+rules\b", re.DOTALL)
 # Every conversation that ends is used again there. What others derive from is tried as these; an endless one has a
 # `settled` that is never true.
 USED_AGAIN = "tests/altivar/used_again.cpp"
-DERIVED = re.compile(r"\bclass\s+(\w+)(?:<[^{;]*?>)?\s*:\s*public\s+(\w+)")
+DERIVED = re.compile(r"\bclass\s+(\w+)(?:<[^{;]*?>)?\s*:\s*public\s+(?:detail::)?(\w+)")
 ENDLESS = re.compile(r"\bstatic constexpr bool settled\(\) noexcept \{ return false; \}")
 
 # A file that names the first and the rarest drive goes through all of them.

@@ -30,6 +30,7 @@ OF_A_DRIVE = re.compile(r"rtuwire::altivar::(atv\d+\w*|compact)\b")
 ORDINARY = {"descriptor", "drive", "drive_motor", "hold"}
 INTERNAL_HEADER = re.compile(r"^// Internal\b", re.MULTILINE)
 INTERNAL = re.compile(r"\bInternal\b")
+IN_DETAIL = re.compile(r"(?<!::)\bdetail::\w+|\brtuwire::detail\b(::\w+)?")
 # A refused act: a function or type whose name is a sentence that the compiler shows.
 SENTENCE = re.compile(r"[^\W_]+(_[^\W_]+){4,}")
 DOOR = re.compile(r"[\w/]+\.hpp")
@@ -126,6 +127,8 @@ def uses(path, code, internal, doors):
         if found[1] not in doors:
             yield f"{path}:{code.count(chr(10), 0, found.start()) + 1}: includes {found[1]}, which is no door"
     plain = declarations.code_of(code)
+    for found in IN_DETAIL.finditer(plain):
+        yield f"{path}:{plain.count(chr(10), 0, found.start()) + 1}: uses {found.group()}, which is internal"
     has_own_names = pathlib.PurePath(path).parts[0] in OWN_NAMES
     if has_own_names:
         for found in USES_ALL.finditer(plain):

@@ -114,7 +114,7 @@ class Names(unittest.TestCase):
         def found(code):
             return list(names.uses("tools/t/a.cpp", code, {"turns"}, set()))
         self.assertEqual(found("turns mine; tool::turns others;"), [])
-        self.assertEqual(len(found("rtuwire::turns all; rtuwire::detail::turns more;")), 2)
+        self.assertEqual(len(found("rtuwire::turns all; rtuwire::detail::more more;")), 2)
         self.assertEqual(len(found("using namespace rtuwire;")), 1)
 
     def test_what_a_drive_has_is_public_by_its_manual(self):

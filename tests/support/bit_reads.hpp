@@ -9,6 +9,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// Of how many responses with 0 to 2001 bits something is wrong: those of 1 to 2000 bits come back in whole bytes, the
 /// bits behind the last one 0; the others are refused. `bits` names the response's member.
 template <typename Response, typename Bits> unsigned wrong_bit_responses(sample const& some, Bits bits)

@@ -12,6 +12,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 using byte_list = std::vector<std::byte>;
 
 inline byte_list bytes_of(std::string const& text)

@@ -13,6 +13,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 template <typename Device> struct drive_port {
     static constexpr line_timing timing{19'200, character_format::even_8_1};
 

@@ -12,6 +12,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// Whether a value is refused with this error in a place of this size, which stays untouched.
 template <pdu P> constexpr bool is_refused(P const& value, errc expected, std::size_t room = 256)
 {

@@ -10,6 +10,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 struct known_error {
     errc error;
     std::uint8_t number;

@@ -14,6 +14,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// Whether the length rules know the frame: a request has a response, a response has none, and the
 /// value that is its own answer stands for both. The query of function 08 may have any size.
 template <pdu P> constexpr bool is_told_as(P const& value, byte_view frame)

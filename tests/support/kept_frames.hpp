@@ -11,6 +11,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 class kept_frames {
 public:
     constexpr void take(traced_frame const& frame) noexcept

@@ -11,6 +11,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// Somebody who has just read it.
 struct reader_of_meaning : commander {
     constexpr reader_of_meaning() { note_meaning(altivar::later_control_word); }

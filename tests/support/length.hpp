@@ -11,6 +11,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// Whether each prefix either asks for more than it has or says the size of the whole; looking
 /// again where it says leads to that size; and bytes behind the frame change nothing.
 constexpr bool is_told(direction way, byte_view frame)

@@ -8,6 +8,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// The simulation's random numbers; the seed names the run.
 class random : public sim::random_source {
 public:

@@ -9,6 +9,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// The times of most tests.
 inline constexpr line_timing usual_line{19'200, character_format::even_8_1};
 

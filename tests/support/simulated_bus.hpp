@@ -14,6 +14,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 inline constexpr line_timing bus_timing{19'200, character_format::even_8_1};
 using frame_bytes = std::vector<std::byte>;
 

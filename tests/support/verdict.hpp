@@ -10,6 +10,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// Of a response whose CRC nobody looks at any more.
 constexpr errc verdict(byte_view request, byte_view response_pdu, std::uint8_t unit = 2)
 {

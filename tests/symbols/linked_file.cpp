@@ -35,6 +35,6 @@ facts FACTS()
         digits[i] = static_cast<std::byte>('1' + i);
     }
     rtuwire::errc (*const check)(rtuwire::byte_view) noexcept = rtuwire::check_frame;
-    return {rtuwire::crc16(digits), static_cast<unsigned>(rtuwire::default_crc_form), RTUWIRE_CHECKED != 0,
+    return {rtuwire::crc16(digits), static_cast<unsigned>(rtuwire::detail::default_crc_form), RTUWIRE_CHECKED != 0,
             reinterpret_cast<void const*>(check), traps()};
 }

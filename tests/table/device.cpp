@@ -13,6 +13,7 @@
 #include <rtuwire/table/table.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -8,6 +8,7 @@
 namespace {
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 enum class unlisted : std::uint16_t { first, second };
 enum class listed : std::uint16_t { off = 2, on = 5 };

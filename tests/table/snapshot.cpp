@@ -10,6 +10,7 @@
 #include <rtuwire/wire/views.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -9,6 +9,7 @@
 #include <rtuwire/table/register.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -28,6 +28,7 @@
 #include <rtuwire/frames.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace tool;
 
 namespace {

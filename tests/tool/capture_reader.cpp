@@ -15,6 +15,7 @@
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace tool;
 
 namespace {

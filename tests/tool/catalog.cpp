@@ -16,6 +16,7 @@
 #include "catalog/value_text.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

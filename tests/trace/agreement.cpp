@@ -16,6 +16,7 @@
 #include "trace/asked_at_random.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -14,6 +14,7 @@
 #include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -16,6 +16,7 @@
 #include <rtuwire/wire/serial_line/diagnostics.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

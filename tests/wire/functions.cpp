@@ -12,6 +12,7 @@
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using rtuwire::test::is_ended_by_silence;
 using rtuwire::test::is_told;
 

@@ -13,6 +13,7 @@
 #include <rtuwire/wire/serial_line/diagnostics.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using rtuwire::test::encodes;
 
 namespace {

@@ -15,6 +15,7 @@
 #include <rtuwire/wire/serial_line/diagnostics.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using rtuwire::test::encodes;
 using rtuwire::test::is_told;
 

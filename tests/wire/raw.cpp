@@ -12,6 +12,7 @@
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using rtuwire::test::is_refused;
 using rtuwire::test::needs_room;
 using rtuwire::test::survives;

@@ -20,6 +20,7 @@
 #include <rtuwire/wire/serial_line/unit_report.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using rtuwire::test::verdict;
 
 namespace {

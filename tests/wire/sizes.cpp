@@ -9,6 +9,7 @@
 #include <rtuwire/wire/raw.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 STATIC_CHECK(read_holding_registers::max_size == 5);
 STATIC_CHECK(read_holding_registers_response::max_size == 252);

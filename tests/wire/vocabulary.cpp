@@ -15,6 +15,7 @@
 #include <rtuwire/wire/unit_id.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

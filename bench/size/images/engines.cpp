@@ -7,6 +7,7 @@
 #include <rtuwire/server/server.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 constexpr line_timing timing{19'200, character_format::even_8_1};
 

@@ -18,6 +18,7 @@ inline constexpr rtuwire::register_block<4> words{1, 2, 3, 4};
 /// The five as constants.
 namespace known {
 using namespace rtuwire;
+using namespace rtuwire::detail;
 inline constexpr auto read = constant_frame([] { return encode(address, read_holding_registers{3201, 4}); });
 inline constexpr auto write = constant_frame([] { return encode(address, write_single_register{8501, 6}); });
 inline constexpr auto write_4 = constant_frame([] { return encode(address, write_multiple_registers{8501, words}); });

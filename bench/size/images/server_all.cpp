@@ -8,6 +8,7 @@
 #include <rtuwire/server/server.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

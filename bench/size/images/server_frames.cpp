@@ -8,6 +8,7 @@
 #include <rtuwire/server/response_frame.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

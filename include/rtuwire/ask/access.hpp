@@ -29,8 +29,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// Reads one register as a word, whatever the word stands for; the untyped base of `register_read`.
-/// Internal.
 class word_read : public finite_conversation {
 public:
     static constexpr bool keeps_meaning = true;
@@ -81,7 +82,6 @@ private:
 };
 
 /// Reads one register of values `T`; `outcome()` then gives the value, or why there is none.
-/// Internal.
 template <register_value T> class register_read : public word_read {
 public:
     using word_read::word_read;
@@ -94,7 +94,6 @@ public:
 };
 
 /// Rejects at compile time, with a message in English, what a device cannot answer.
-/// Internal.
 template <auto const& R, device_type Device> consteval bool is_readable() noexcept
 {
     static_assert(has_register<Device, R>, "this device has no such register");
@@ -111,7 +110,6 @@ template <auto const& R, device_type Device> consteval bool is_readable() noexce
 }
 
 /// Whether a device answers one request for a register with all its words and its scale.
-/// Internal.
 template <auto const& R, device_type Device> [[nodiscard]] consteval bool is_readable_at_once() noexcept
 {
     constexpr key_range range = range_of<R>();
@@ -121,18 +119,21 @@ template <auto const& R, device_type Device> [[nodiscard]] consteval bool is_rea
                                       static_cast<std::uint16_t>(range.last & 0xFFFFU), R.space);
 }
 
+} // namespace detail
+
 /// Reads the value of one register of this device, by the function of its kind. All its words, and its scale where
 /// another register holds it, are read by one request.
 template <auto const& R, device_type Device> [[nodiscard]] constexpr auto read(station<Device> const& of) noexcept
 {
-    static_assert(is_readable<R, Device>());
-    static_assert(has_readable_steps<R>, "another register sets this register's steps: name them with read_with_step");
+    static_assert(detail::is_readable<R, Device>());
+    static_assert(detail::has_readable_steps<R>,
+                  "another register sets this register's steps: name them with read_with_step");
     if constexpr (R.is_plain) {
-        return register_read<value_of<R>>{of.unit(), R.address};
+        return detail::register_read<value_of<R>>{of.unit(), R.address};
     } else {
-        static_assert(is_readable_at_once<R, Device>(),
+        static_assert(detail::is_readable_at_once<R, Device>(),
                       "this register with all its words and its scale does not fit one request of this device");
-        return value_read<R>{of.unit()};
+        return detail::value_read<R>{of.unit()};
     }
 }
 
@@ -140,16 +141,16 @@ template <auto const& R, device_type Device> [[nodiscard]] constexpr auto read(s
 template <typename Step, auto const& R, device_type Device>
 [[nodiscard]] constexpr auto read_with_step(station<Device> const& of) noexcept
 {
-    static_assert(has_register<Device, R>, "this device has no such register");
+    static_assert(detail::has_register<Device, R>, "this device has no such register");
     return read<restepped<Step, R>>(of);
 }
 
+namespace detail {
+
 /// A write of so many words by function 16.
-/// Internal.
 template <std::size_t Count> using block_write = sized_request<9 + 2 * Count, 5>;
 
 /// The words of settings, one after the other, as they stand on the wire.
-/// Internal.
 template <auto const&... Registers> [[nodiscard]] constexpr auto block_of(setting<Registers> const&... values) noexcept
 {
     if constexpr ((register_value<value_of<Registers>> and ...)) {
@@ -168,7 +169,6 @@ template <auto const&... Registers> [[nodiscard]] constexpr auto block_of(settin
 }
 
 /// Why one of several values does not fit; `none` where all do.
-/// Internal.
 template <typename... Settings> [[nodiscard]] constexpr errc first_error(result<Settings> const&... values) noexcept
 {
     errc why = errc::none;
@@ -177,7 +177,6 @@ template <typename... Settings> [[nodiscard]] constexpr errc first_error(result<
 }
 
 /// Rejects at compile time, with a message in English, what cannot be written on a device.
-/// Internal.
 template <auto const& R, device_type Device> consteval bool is_writable() noexcept
 {
     static_assert(has_register<Device, R>, "this device has no such register");
@@ -190,7 +189,6 @@ template <auto const& R, device_type Device> consteval bool is_writable() noexce
 }
 
 /// The request that writes one register: function 06, or 16 with all its words; a coil by 05.
-/// Internal.
 template <auto const& R, device_type Device>
 [[nodiscard]] constexpr auto write_of(station<Device> const& to, setting<R> value) noexcept
 {
@@ -209,13 +207,16 @@ template <auto const& R, device_type Device>
     }
 }
 
+} // namespace detail
+
 /// Writes one setting, by function 06; one of several words by 16, whole; a coil by 05.
 template <auto const& R, device_type Device>
 [[nodiscard]] constexpr auto write(station<Device> const& to, setting<R> value) noexcept
 {
-    static_assert(is_writable<R, Device>());
-    static_assert(has_own_steps<R>, "another register sets this register's steps: name them with write_with_step");
-    return write_of(to, value);
+    static_assert(detail::is_writable<R, Device>());
+    static_assert(detail::has_own_steps<R>,
+                  "another register sets this register's steps: name them with write_with_step");
+    return detail::write_of(to, value);
 }
 
 /// Writes a value known only at run time: `write<R>(drive, checked(n * 0.1_s))`. One that the register does not take is
@@ -231,8 +232,8 @@ template <auto const& R, device_type Device>
 template <typename Step, auto const& R, device_type Device>
 [[nodiscard]] constexpr auto write_with_step(station<Device> const& to, setting<restepped<Step, R>> value) noexcept
 {
-    static_assert(is_writable<R, Device>());
-    return write_of(to, value);
+    static_assert(detail::is_writable<R, Device>());
+    return detail::write_of(to, value);
 }
 
 /// The same, of a value known only at run time.
@@ -262,7 +263,7 @@ template <auto const& First, auto const&... Rest> struct contiguous {
     }
 
     template <typename Device>
-    static constexpr bool are_of = has_register<Device, First> and (has_register<Device, Rest> and ...);
+    static constexpr bool are_of = detail::has_register<Device, First> and (detail::has_register<Device, Rest> and ...);
 };
 
 /// Writes several settings whose registers follow one another, by function 16; coils by 15.
@@ -270,23 +271,23 @@ template <auto const&... Registers, device_type Device>
 [[nodiscard]] constexpr auto write_all(station<Device> const& to, setting<Registers>... values) noexcept
 {
     using registers = contiguous<Registers...>;
-    static_assert((is_writable<Registers, Device>() and ...));
-    static_assert((has_own_steps<Registers> and ...),
+    static_assert((detail::is_writable<Registers, Device>() and ...));
+    static_assert((detail::has_own_steps<Registers> and ...),
                   "another register sets this register's steps: name them with restepped");
     static_assert(registers::are_contiguous(), "one request writes registers that follow one another");
     if constexpr (registers::space == register_space::coil) {
-        static_assert(implements<Device>(function_code::write_multiple_coils),
+        static_assert(detail::implements<Device>(function_code::write_multiple_coils),
                       "this device does not implement function 15");
         static_assert(registers::count <= max_bit_write_quantity, "one request writes 1968 coils at most");
         bit_block<registers::count> const bits{values.value()...};
-        return sized_request<9 + bytes_of_bits(registers::count), 5>{to.unit(),
-                                                                     write_multiple_coils{registers::start, bits}};
+        return detail::sized_request<9 + detail::bytes_of_bits(registers::count), 5>{
+            to.unit(), write_multiple_coils{registers::start, bits}};
     } else {
-        static_assert(implements<Device>(function_code::write_multiple_registers),
+        static_assert(detail::implements<Device>(function_code::write_multiple_registers),
                       "this device does not implement function 16");
         static_assert(registers::count <= Device::limits.write, "this device takes fewer registers in one write");
-        return block_write<registers::count>{
-            to.unit(), write_multiple_registers{registers::start, block_of<Registers...>(values...)}};
+        return detail::block_write<registers::count>{
+            to.unit(), write_multiple_registers{registers::start, detail::block_of<Registers...>(values...)}};
     }
 }
 
@@ -296,7 +297,7 @@ template <auto const&... Registers, device_type Device>
 [[nodiscard]] constexpr auto write_all(station<Device> const& to, result<setting<Registers>>... values) noexcept
 {
     using request = decltype(write_all<Registers...>(to, *values...));
-    errc const why = first_error(values...);
+    errc const why = detail::first_error(values...);
     return why == errc::none ? write_all<Registers...>(to, *values...) : request{why};
 }
 
@@ -305,11 +306,11 @@ template <auto const&... Registers, device_type Device>
 template <typename Read, auto const&... Written, device_type Device>
 [[nodiscard]] constexpr auto exchange(station<Device> const& with, setting<Written>... values) noexcept
 {
-    static_assert(implements<Device>(function_code::read_write_multiple_registers),
+    static_assert(detail::implements<Device>(function_code::read_write_multiple_registers),
                   "this device does not implement function 23");
     static_assert(Read::template are_of<Device>, "this device has no such register");
-    static_assert((is_writable<Written, Device>() and ...));
-    static_assert((has_own_steps<Written> and ...),
+    static_assert((detail::is_writable<Written, Device>() and ...));
+    static_assert((detail::has_own_steps<Written> and ...),
                   "another register sets this register's steps: name them with restepped");
     static_assert(Read::are_contiguous() and contiguous<Written...>::are_contiguous(),
                   "one request exchanges registers that follow one another");
@@ -318,9 +319,9 @@ template <typename Read, auto const&... Written, device_type Device>
     constexpr std::size_t count = contiguous<Written...>::count;
     static_assert(Read::count <= Device::limits.exchange_read and count <= Device::limits.exchange_write,
                   "this device takes fewer registers in one exchange");
-    return sized_request<13 + 2 * count, 2 + 2 * Read::count>{
+    return detail::sized_request<13 + 2 * count, 2 + 2 * Read::count>{
         with.unit(), read_write_multiple_registers{Read::start, Read::count, contiguous<Written...>::start,
-                                                   block_of<Written...>(values...)}};
+                                                   detail::block_of<Written...>(values...)}};
 }
 
 /// The same, of values of which some are known only at run time: each is `checked(...)`. Where one does not fit, nothing
@@ -329,7 +330,7 @@ template <typename Read, auto const&... Written, device_type Device>
 [[nodiscard]] constexpr auto exchange(station<Device> const& with, result<setting<Written>>... values) noexcept
 {
     using request = decltype(exchange<Read, Written...>(with, *values...));
-    errc const why = first_error(values...);
+    errc const why = detail::first_error(values...);
     return why == errc::none ? exchange<Read, Written...>(with, *values...) : request{why};
 }
 

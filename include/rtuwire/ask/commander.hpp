@@ -3,7 +3,6 @@
 //
 // Conversations that can command a motor, as far as a client has to know them: which of their requests may move it,
 // which stop it, and what they read. client/orders.hpp says what a client does with that.
-// Internal: may change with any version.
 #pragma once
 
 #include <concepts>
@@ -17,6 +16,8 @@
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// What a request does to a motor.
 enum class effect : std::uint8_t {
@@ -362,5 +363,7 @@ template <conversation T> [[nodiscard]] constexpr bool has_what_it_declares() no
                   "is_urgent() and may_cut()");
     return true;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

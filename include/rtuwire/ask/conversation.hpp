@@ -33,18 +33,21 @@ enum class freshness : std::uint8_t {
     when_free, ///< `next` is called only when the line is free for its `unit()`: the request holds the latest values
 };
 
+namespace detail {
+
 /// Which of its requests come before those of other conversations.
-/// Internal.
 enum class urgency : std::uint8_t {
     in_turn,      ///< none
     stop_of_unit, ///< those that stop the motor of its unit: see `commanding_conversation`
     stop_of_all,  ///< those that stop all units: see `stops_by_broadcast`
 };
 
+} // namespace detail
+
 /// What a conversation declares of itself, by a public `static constexpr conversation_properties properties{...}`.
 /// Nothing else in a conversation stands for one of these: a `unit()` alone means nothing to a client.
 struct conversation_properties {
-    rtuwire::urgency urgency{rtuwire::urgency::in_turn};
+    rtuwire::detail::urgency urgency{rtuwire::detail::urgency::in_turn};
     /// Of all its requests; where it is allowed, a single `request_frame` can still forbid it.
     rtuwire::repetition repetition{rtuwire::repetition::allowed};
     rtuwire::freshness freshness{rtuwire::freshness::any_time};
@@ -68,7 +71,8 @@ public:
     /// Bytes that end with the statement cannot become a request.
     template <std::size_t Size>
     request_frame(std::array<std::byte, Size> const&&, repetition = repetition::allowed) = delete;
-    template <std::size_t Size> request_frame(fixed_buffer<Size> const&&, repetition = repetition::allowed) = delete;
+    template <std::size_t Size>
+    request_frame(detail::fixed_buffer<Size> const&&, repetition = repetition::allowed) = delete;
 
     [[nodiscard]] constexpr byte_view frame() const noexcept { return frame_; }
     [[nodiscard]] constexpr bool may_be_repeated() const noexcept { return again_ == repetition::allowed; }
@@ -99,7 +103,11 @@ private:
     byte_view pdu_;
 };
 
+namespace detail {
+
 class turns;
+
+} // namespace detail
 
 /// The base of every conversation: it holds the number of the request that this conversation has under way, and on
 /// which client, so that an outcome reaches no other conversation. A conversation may be destroyed, moved, copied or
@@ -125,7 +133,7 @@ protected:
     }
 
 private:
-    friend class turns;
+    friend class detail::turns;
 
     /// A ticket is a multiple of this, or a mark of turns.hpp; with `given_up` it still shows who asked last, and is a mark
     /// as it was. Without its lowest bit, either is `used_already`. `met` is nobody's number.
@@ -135,7 +143,7 @@ private:
     static constexpr std::uint32_t met = 7;
 
     std::uint32_t ticket_{0};
-    turns const* turns_{nullptr}; ///< whose number it is; null where it visited none
+    detail::turns const* turns_{nullptr}; ///< whose number it is; null where it visited none
 };
 
 /// An asker with requests. `next` returns the next request, or nothing when there is none now; it may be called again
@@ -157,8 +165,9 @@ concept conversation = std::derived_from<T, asker> and requires(T& conversation,
         } -> std::convertible_to<bool>;
 };
 
+namespace detail {
+
 /// A conversation that never settles, and says so by a static `settled`: its end cannot be waited for.
-/// Internal.
 template <typename T>
 concept endless_conversation = conversation<T> and requires
 {
@@ -168,7 +177,6 @@ concept endless_conversation = conversation<T> and requires
 
 /// A conversation that pauses, or has a time limit: its caller calls `advance` before `next`, and again at
 /// `poll_deadline`.
-/// Internal.
 template <typename T>
 concept timed_conversation = conversation<T> and requires(T& conversation, instant now)
 {
@@ -179,19 +187,16 @@ concept timed_conversation = conversation<T> and requires(T& conversation, insta
 };
 
 /// Whether what a conversation declares can be read: a private member cannot.
-/// Internal.
 template <typename T>
 concept declares_in_public = std::same_as<std::remove_cv_t<decltype(T::properties)>, conversation_properties>;
 
 /// What a conversation declares of itself; the defaults where it declares nothing.
-/// Internal.
 template <typename T> inline constexpr conversation_properties properties_of{};
 template <typename T>
     requires declares_in_public<T>
 inline constexpr conversation_properties properties_of<T> = T::properties;
 
 /// A request of a conversation, not to be repeated where that declares `repetition::never`.
-/// Internal.
 template <conversation T>
 [[nodiscard]] constexpr request_frame const& as_declared(request_frame const& request) noexcept
 {
@@ -205,7 +210,6 @@ template <conversation T>
 }
 
 /// A conversation with one unit that declares `freshness::when_free`.
-/// Internal.
 template <typename T>
 concept prompt_conversation = conversation<T> and requires(T const& conversation)
 {
@@ -216,7 +220,6 @@ concept prompt_conversation = conversation<T> and requires(T const& conversation
 };
 
 /// Lets time pass for a timed conversation.
-/// Internal.
 template <conversation Conversation>
 constexpr void advance_conversation(Conversation& conversation, instant now) noexcept
 {
@@ -224,5 +227,7 @@ constexpr void advance_conversation(Conversation& conversation, instant now) noe
         conversation.advance(now);
     }
 }
+
+} // namespace detail
 
 } // namespace rtuwire

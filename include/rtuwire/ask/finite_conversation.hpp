@@ -3,7 +3,6 @@
 //
 // What conversations that end have in common: whether this one has ended, and how. Knows neither its requests nor the
 // value that it was asked for.
-// Internal: may change with any version.
 #pragma once
 
 #include <rtuwire/ask/conversation.hpp>
@@ -12,6 +11,8 @@
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The base of every conversation that ends once. One that reads a value has an `outcome` of its own, which gives the
 /// value.
@@ -51,5 +52,7 @@ private:
     errc error_{errc::busy};
     bool is_settled_{false};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // What a conversation that was run to its end gives to who ran it.
-// Internal: may change with any version.
 #pragma once
 
 #include <utility>
@@ -12,6 +11,8 @@
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// A conversation with an outcome of its own: a `result`.
 template <typename Conversation>
@@ -73,5 +74,7 @@ template <typename Conversation> [[nodiscard]] constexpr bool can_run(Conversati
         return false;
     }
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -3,7 +3,6 @@
 //
 // Runs a write plan: its requests in order, by function 16. The first failure ends it; what was written before stays
 // written, and `written()` gives the number of confirmed requests.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -19,6 +18,8 @@
 #include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The conversation of a write plan with one unit; owns the values and the frame under way.
 template <typename Plan> class plan_writer : public finite_conversation {
@@ -102,5 +103,7 @@ private:
     std::size_t written_{0};
     unit_id unit_;
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -22,9 +22,10 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// The frames that read the blocks of a plan from one unit, in order, with their CRC; a constant where the unit is one.
 /// By `encode_into` GCC would make them when the program runs, which is 90 bytes larger.
-/// Internal.
 template <typename Plan> [[nodiscard]] constexpr auto read_frames(unit_id unit) noexcept
 {
     constexpr address_block const* blocks = Plan::requests().data();
@@ -36,23 +37,25 @@ template <typename Plan> [[nodiscard]] constexpr auto read_frames(unit_id unit) 
 }
 
 /// The functions that a plan asks.
-/// Internal.
 template <typename Plan, std::size_t... Requests>
 [[nodiscard]] consteval function_set functions_of(std::index_sequence<Requests...>) noexcept
 {
     return function_set{function_that_reads(Plan::space_of(Requests))...};
 }
 
+} // namespace detail
+
 /// The conversation of a read plan with one unit; owns its frames and the snapshot. Each `again` is one
 /// round more.
-template <typename Plan> class poller : public finite_conversation {
+template <typename Plan> class poller : public detail::finite_conversation {
 public:
     static constexpr bool keeps_meaning = true;
-    static constexpr function_set asks = functions_of<Plan>(std::make_index_sequence<Plan::request_count>{});
+    static constexpr function_set asks = detail::functions_of<Plan>(std::make_index_sequence<Plan::request_count>{});
 
     using snapshot = typename Plan::snapshot;
 
-    explicit constexpr poller(station<typename Plan::device> const& of) noexcept : frames_{read_frames<Plan>(of.unit())}
+    explicit constexpr poller(station<typename Plan::device> const& of) noexcept
+        : frames_{detail::read_frames<Plan>(of.unit())}
     {}
 
     /// Starts one more round; one under way starts again, and the outcome of its last request is dropped.
@@ -87,7 +90,7 @@ public:
             }
             incoming_.store(at_, response->registers);
         } else {
-            read_words const words{outcome->pdu(), Plan::space_of(at_)};
+            detail::read_words const words{outcome->pdu(), Plan::space_of(at_)};
             if (not words.holds(count)) {
                 return settle(errc::wrong_length);
             }
@@ -108,7 +111,7 @@ private:
     /// The functions of the kinds that a plan reads, each once.
     static constexpr bool has_function(register_space space) noexcept
     {
-        return implements<typename Plan::device>(function_that_reads(space));
+        return detail::implements<typename Plan::device>(detail::function_that_reads(space));
     }
     static constexpr bool are_all_implemented() noexcept
     {

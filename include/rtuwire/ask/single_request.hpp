@@ -20,15 +20,15 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// The largest response PDU to a request of this type, in bytes.
-/// Internal.
 template <typename Request> inline constexpr std::size_t largest_response = max_pdu_size;
 template <typename Request>
     requires requires { Request::response::max_size; }
 inline constexpr std::size_t largest_response<Request> = Request::response::max_size;
 
 /// A request has something of that name, which nobody would ask where it is no static function.
-/// Internal.
 template <typename Request>
 concept names_response_check = requires
 {
@@ -36,14 +36,12 @@ concept names_response_check = requires
 };
 
 /// The function of a request; none where that is not known before it is made, as of `raw_pdu`.
-/// Internal.
 template <typename Request> inline constexpr function_set function_of{};
 template <typename Request>
     requires std::same_as<std::remove_cv_t<decltype(Request::code)>, function_code>
 inline constexpr function_set function_of<Request>{Request::code};
 
 /// One request in a frame of at most `FrameSize` bytes, and room for a response PDU of `ResponseSize`.
-/// Internal.
 template <std::size_t FrameSize, std::size_t ResponseSize> class sized_request : public finite_conversation {
 public:
     /// Encodes the request; where that fails, nothing is sent and `outcome()` says why.
@@ -117,32 +115,35 @@ private:
     std::uint8_t response_size_{0};
 };
 
+} // namespace detail
+
 /// The conversation of one request of a type: `single_request ask{unit_id{7}, read_holding_registers{...}}`.
-template <pdu Request>
-class single_request : public sized_request<Request::max_size + adu_overhead, largest_response<Request>> {
-    static_assert(has_response_check<Request> or not names_response_check<Request>,
+template <detail::pdu Request>
+class single_request
+    : public detail::sized_request<Request::max_size + detail::adu_overhead, detail::largest_response<Request>> {
+    static_assert(detail::has_response_check<Request> or not detail::names_response_check<Request>,
                   "check_response of a request is a static function: errc (byte_view request_pdu, byte_view "
                   "response_pdu)");
 
-    using base = sized_request<Request::max_size + adu_overhead, largest_response<Request>>;
+    using base = detail::sized_request<Request::max_size + detail::adu_overhead, detail::largest_response<Request>>;
 
 public:
-    static constexpr function_set asks = function_of<Request>;
+    static constexpr function_set asks = detail::function_of<Request>;
 
     using base::base;
 
     template <typename To>
     constexpr single_request(To whom, Request const& its_request) noexcept : base{whom, its_request}
     {
-        static_assert(std::same_as<To, unit_id> or std::same_as<To, broadcast_t>,
+        static_assert(std::same_as<To, unit_id> or std::same_as<To, detail::broadcast_t>,
                       "a request goes to a unit, unit_id{7}, or to all of them, broadcast: not to a plain number");
-        static_assert(not std::same_as<To, broadcast_t> or broadcastable<Request>,
+        static_assert(not std::same_as<To, detail::broadcast_t> or detail::broadcastable<Request>,
                       "a broadcast has no response, so only a write can be broadcast");
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
-        if constexpr (checks_response<Request>) {
+        if constexpr (detail::checks_response<Request>) {
             if (outcome and not outcome->pdu().empty()) { // it is after a broadcast
                 errc const wrong = Request::check_response(this->request_pdu(), outcome->pdu());
                 if (wrong != errc::none) {
@@ -154,6 +155,6 @@ public:
     }
 };
 
-template <typename To, pdu Request> single_request(To, Request) -> single_request<Request>;
+template <typename To, detail::pdu Request> single_request(To, Request) -> single_request<Request>;
 
 } // namespace rtuwire

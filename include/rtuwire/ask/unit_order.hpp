@@ -4,7 +4,6 @@
 // What a client knows of one unit whose motor it commands. The client keeps it (client/order_places.hpp), and a
 // conversation that ordered the motor to run asks it whether that still counts. Events are ordered by stamps, which
 // count up.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +12,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// How the stop under way holds a unit.
 enum class hold : std::uint8_t {
@@ -71,5 +72,7 @@ inline constexpr unit_order nothing_known{};
 {
     return is_older(one, other) ? other : one;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

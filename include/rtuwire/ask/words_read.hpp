@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Reads one register of any kind and width, with the register of its scale where it has one, by one request.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -24,6 +23,8 @@
 #include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The function that reads a kind of registers.
 [[nodiscard]] constexpr function_code function_that_reads(register_space space) noexcept
@@ -151,5 +152,7 @@ private:
         }
     }
 };
+
+} // namespace detail
 
 } // namespace rtuwire

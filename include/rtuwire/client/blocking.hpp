@@ -22,11 +22,12 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// A serial port: it has a clock; `write` accepts all bytes before a deadline and sends them at the line's pace;
 /// `read` returns the bytes that are there or arrive before a deadline (none: an empty span). It may also report
 /// damaged bytes: see `receive_from`. One that waits makes a `host_deadline` of `until` first: the program may be stopped for
 /// an hour.
-/// Internal.
 template <typename T>
 concept serial_port = requires(T& port, byte_view out, byte_span in, instant until)
 {
@@ -42,7 +43,6 @@ concept serial_port = requires(T& port, byte_view out, byte_span in, instant unt
 };
 
 /// A serial port that also knows the times which suit its device, as `posix_serial` does.
-/// Internal.
 template <typename T>
 concept timed_port = serial_port<T> and requires(T const& port)
 {
@@ -53,7 +53,6 @@ concept timed_port = serial_port<T> and requires(T const& port)
 
 /// Passes on the bytes that arrive until a time that was named since the engine's last `advance`. That may be over for half an
 /// hour, and seem to lie ahead: the program may have been stopped since, in a write or in a conversation.
-/// Internal.
 template <typename Engine, serial_port Port>
 result<void> receive_until(Engine& engine, Port& port, byte_span place, instant until)
 {
@@ -64,7 +63,6 @@ result<void> receive_until(Engine& engine, Port& port, byte_span place, instant 
 
 /// Sends what an engine has to send. Returns whether there was anything; the errors are those of the port. A time that was
 /// named since the engine's last `advance`, and is over behind the write, is now: `sent` may let time pass, which tells no more.
-/// Internal.
 template <typename Engine, serial_port Port>
 result<bool> send_from(Engine& engine, Port& port, duration write_limit, instant& until)
 {
@@ -83,7 +81,6 @@ result<bool> send_from(Engine& engine, Port& port, duration write_limit, instant
 }
 
 /// Passes on the bytes that arrive until the engine's next deadline, or `until`, as `receive_until` does.
-/// Internal.
 template <typename Engine, serial_port Port>
 result<void> receive_within_pass(Engine& engine, Port& port, byte_span place, instant until)
 {
@@ -92,43 +89,46 @@ result<void> receive_within_pass(Engine& engine, Port& port, byte_span place, in
     return receive_from(port, engine, place, *earlier(engine.poll_deadline(), until));
 }
 
+} // namespace detail
+
 /// The end of one pass of a client or a bus over a host's port, after `advance` and `converse`: sends what is to be
 /// sent, then passes on the bytes that have arrived, or arrive before `until` or the engine's next deadline. `place`
 /// is working memory. Errors: those of the port.
-template <typename Engine, serial_port Port>
+template <typename Engine, detail::serial_port Port>
 result<void> finish_pass(Engine& engine, Port& port, byte_span place, instant until,
                          duration write_limit = milliseconds(1'000))
 {
-    auto const sent = send_from(engine, port, write_limit, until);
-    return sent ? receive_within_pass(engine, port, place, until) : result<void>{sent.error()};
+    auto const sent = detail::send_from(engine, port, write_limit, until);
+    return sent ? detail::receive_within_pass(engine, port, place, until) : result<void>{sent.error()};
 }
 
 /// Sends requests and waits for their outcomes. May be left unused for any time. Borrows its port, which must outlive
 /// it. `Needs` is as for `basic_client`.
-template <serial_port Port, auto const& Needs = host_needs> class blocking_client {
+template <detail::serial_port Port, auto const& Needs = host_needs> class blocking_client {
     using engine = basic_client<Needs>;
 
 public:
     blocking_client(Port& its_port, line_timing const& its_line, client_options const& its_options = {}) noexcept
-        requires(not told_by<Needs>::is_fixed)
+        requires(not detail::told_by<Needs>::is_fixed)
         : port_{its_port}, client_{its_line, its_options}, write_limit_{time_to_write(its_line, its_options)}
     {}
 
     /// With the times that suit the device, as the port tells them now: `its_port` has been opened before. With needs that have a
     /// `timing`, with that and their options.
-    explicit blocking_client(Port& its_port) noexcept requires(timed_port<Port> or told_by<Needs>::is_fixed)
+    explicit blocking_client(Port& its_port) noexcept
+        requires(detail::timed_port<Port> or detail::told_by<Needs>::is_fixed)
         : port_{its_port}, client_{made_for(its_port)}, write_limit_{time_to_write(client_.line(), Needs.options)}
     {}
     blocking_client(Port& its_port, client_options const& its_options) noexcept
-        requires(timed_port<Port> and not told_by<Needs>::is_fixed)
+        requires(detail::timed_port<Port> and not detail::told_by<Needs>::is_fixed)
         : blocking_client{its_port, its_port.timing(), its_options}
     {}
 
     /// Sends one request and waits for its outcome. The response is a view of this client's memory, valid until the
     /// next `ask`. Errors: those of encoding, an exception of the unit, those of the client, those of the port.
-    template <typename To, pdu Request> result<typename Request::response> ask(To to, Request const& request) &
+    template <typename To, detail::pdu Request> result<typename Request::response> ask(To to, Request const& request) &
     {
-        static_assert(not std::same_as<To, broadcast_t>, "a broadcast has no response: use send_broadcast");
+        static_assert(not std::same_as<To, detail::broadcast_t>, "a broadcast has no response: use send_broadcast");
         single_request conversation{to, request};
         auto const outcome = run(conversation);
         if (not outcome) {
@@ -138,19 +138,19 @@ public:
         byte_writer{response_}.bytes(pdu);
         return response{byte_view{response_}.first(pdu.size())}.template to<Request>();
     }
-    template <typename To, pdu Request>
+    template <typename To, detail::pdu Request>
     result<typename Request::response> ask(To to, Request const& request) && = delete;
 
     /// Sends a broadcast and waits for the turnaround delay to end. Errors: those of encoding, of the client, of the
     /// port.
-    template <broadcastable Request> result<void> send_broadcast(Request const& command)
+    template <detail::broadcastable Request> result<void> send_broadcast(Request const& command)
     {
         return run(single_request{broadcast, command});
     }
 
     /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like: see the client's.
     /// Valid until the next `ask` or `run`.
-    [[nodiscard]] std::optional<refused_frame> refused() const noexcept { return client_.refused(); }
+    [[nodiscard]] std::optional<detail::refused_frame> refused() const noexcept { return client_.refused(); }
 
     /// What was counted, where counting was asked for.
     [[nodiscard]] auto const& statistics() const noexcept { return client_.statistics(); }
@@ -176,14 +176,14 @@ public:
     auto run(Conversation&& conversation)
     {
         errc const why = run_to_end(conversation);
-        return why == errc::none ? outcome_of(std::forward<Conversation>(conversation))
-                                 : outcome_of(std::forward<Conversation>(conversation), why);
+        return why == errc::none ? detail::outcome_of(std::forward<Conversation>(conversation))
+                                 : detail::outcome_of(std::forward<Conversation>(conversation), why);
     }
 
 private:
     static engine made_for(Port& its_port) noexcept
     {
-        if constexpr (told_by<Needs>::is_fixed) {
+        if constexpr (detail::told_by<Needs>::is_fixed) {
             return engine{};
         } else {
             return engine{its_port.timing()};
@@ -193,10 +193,10 @@ private:
     /// Whether a conversation stops motors, by a word that it sends whatever else fails, and ends by its own limit.
     template <typename Conversation> static constexpr bool has_to_stop(Conversation const& conversation) noexcept
     {
-        if constexpr (may_be_stop<Conversation>) {
+        if constexpr (detail::may_be_stop<Conversation>) {
             return conversation.is_stop();
         } else {
-            return stops_by_broadcast<Conversation> or frees_all_units<Conversation>;
+            return detail::stops_by_broadcast<Conversation> or detail::frees_all_units<Conversation>;
         }
     }
 
@@ -205,9 +205,9 @@ private:
     /// much is sent even where nothing can be read. Nor does a write that fails, but for a device that is gone.
     template <conversation Conversation> errc run_to_end(Conversation& conversation)
     {
-        static_assert(not endless_conversation<Conversation>,
+        static_assert(not detail::endless_conversation<Conversation>,
                       "this conversation never ends: give it to a client in each pass");
-        if (not can_run(conversation)) {
+        if (not detail::can_run(conversation)) {
             return errc::used_already;
         }
         auto passed = drop_stale_input();
@@ -220,7 +220,7 @@ private:
             client_.advance(now);
             client_.converse(conversation, now);
             if (conversation.settled() and not client_.is_asked_by(conversation)) {
-                if constexpr (frees_all_units<Conversation>) {
+                if constexpr (detail::frees_all_units<Conversation>) {
                     // The program was stopped while the line fell silent. Other stops are asked for no word before it has.
                     if (has_to_say and client_.is_quiet() and conversation.outcome().error() == errc::bus_jam) {
                         conversation.again();
@@ -238,9 +238,9 @@ private:
             }
             bool const says_it = is_said(conversation);
             instant until = now + longest_wait;
-            auto const sent = send_from(client_, port_, write_limit_, until);
+            auto const sent = detail::send_from(client_, port_, write_limit_, until);
             bool const has_left = sent and *sent;
-            passed = sent ? receive_within_pass(client_, port_, input_, until) : result<void>{sent.error()};
+            passed = sent ? detail::receive_within_pass(client_, port_, input_, until) : result<void>{sent.error()};
             has_to_say = has_to_say and not(has_left and says_it) and (sent or is_passing(sent.error()));
             bool const goes_on =
                 sent ? has_to_say and has_left : has_to_stop(conversation) and is_passing(sent.error());
@@ -262,10 +262,10 @@ private:
     /// Whether the request of a conversation that has to stop is its word.
     template <typename Conversation> static constexpr bool is_said(Conversation const& conversation) noexcept
     {
-        if constexpr (frees_all_units<Conversation>) {
+        if constexpr (detail::frees_all_units<Conversation>) {
             return true;
-        } else if constexpr (may_be_stop<Conversation> or stops_by_broadcast<Conversation>) {
-            return has_to_stop(conversation) and conversation.intent() == effect::stopping;
+        } else if constexpr (detail::may_be_stop<Conversation> or detail::stops_by_broadcast<Conversation>) {
+            return has_to_stop(conversation) and conversation.intent() == detail::effect::stopping;
         } else {
             return false;
         }
@@ -275,12 +275,13 @@ private:
     /// longer than this client goes on.
     template <typename Conversation> static constexpr void read_nothing(Conversation& conversation) noexcept
     {
-        if constexpr (stops_by_broadcast<Conversation>) {
+        if constexpr (detail::stops_by_broadcast<Conversation>) {
             for (auto& each : conversation.stops()) {
                 read_nothing(each);
             }
-        } else if constexpr (may_be_stop<Conversation>) {
-            if (conversation.is_stop() and conversation.has_request() and conversation.intent() == effect::none) {
+        } else if constexpr (detail::may_be_stop<Conversation>) {
+            if (conversation.is_stop() and conversation.has_request() and
+                conversation.intent() == detail::effect::none) {
                 conversation.note_loss();
             }
         }
@@ -326,12 +327,12 @@ private:
     template <typename Conversation> result<void> wait_for(Conversation& conversation, instant now)
     {
         deadline next = client_.poll_deadline();
-        if constexpr (timed_conversation<Conversation>) {
+        if constexpr (detail::timed_conversation<Conversation>) {
             if (deadline const own = conversation.poll_deadline(); own and not reached(now, *own)) {
                 next = earlier(next, own);
             }
         }
-        return receive_until(client_, port_, input_, next ? *next : now + longest_pause);
+        return detail::receive_until(client_, port_, input_, next ? *next : now + longest_pause);
     }
 
     /// What passes bytes on to the client, and whether any came.

@@ -29,8 +29,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// How far the visits of a bus are since the request left.
-/// Internal.
 enum class visit_stage : std::uint8_t {
     changing, ///< no request is under way, or it has not left
     settling, ///< all slots visit once in a pass that began with the request under way
@@ -38,9 +39,10 @@ enum class visit_stage : std::uint8_t {
 };
 
 /// What the client of a bus needs: a place for each slot, wherever one may be needed.
-/// Internal.
 template <std::size_t Slots, auto const& Needs>
 inline constexpr auto needs_of_bus = told_by<Needs>::template with<typename told_by<Needs>::observer>(Slots, Slots);
+
+} // namespace detail
 
 /// A client for `Slots` conversations. In each pass call `receive`, `sent` and `advance` as for a client; then
 /// `converse` once for every slot in use, in the same order; then send what `poll_transmit` returns. Sleep no longer
@@ -49,12 +51,12 @@ inline constexpr auto needs_of_bus = told_by<Needs>::template with<typename told
 /// `Needs` is as for `basic_client`; a bus keeps orders and the quarantine of as many units as it has slots.
 template <std::size_t Slots, auto const& Needs = usual_needs> class bus {
     static_assert(Slots > 0 and Slots < 0xFF, "a bus has 1 to 254 slots");
-    using needed = told_by<Needs>;
-    using stage = visit_stage;
+    using needed = detail::told_by<Needs>;
+    using stage = detail::visit_stage;
 
 public:
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on.
-    template <typename Sink> using traced_by = bus<Slots, traced_needs<Needs, Sink>>;
+    template <typename Sink> using traced_by = bus<Slots, detail::traced_needs<Needs, Sink>>;
 
     explicit constexpr bus(line_timing const& its_line, client_options const& its_options = {},
                            bus_options const& share = {}) noexcept requires(not needed::is_fixed)
@@ -117,9 +119,9 @@ public:
     [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return client_.has_seen_echo(); }
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return client_.poll_transmit(); }
     template <typename Sink>
-        requires is_traced_by<typename needed::observer, Sink>
+        requires detail::is_traced_by<typename needed::observer, Sink>
     constexpr void trace_to(Sink& frames) noexcept { client_.trace_to(frames); }
-    [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept { return client_.refused(); }
+    [[nodiscard]] constexpr std::optional<detail::refused_frame> refused() const noexcept { return client_.refused(); }
 
     /// Lets time pass.
     constexpr void advance(instant now) noexcept
@@ -140,7 +142,7 @@ public:
             }
         }
         if (index < Slots) {
-            visit(index, as_visited(conversation), now);
+            visit(index, detail::as_visited(conversation), now);
         }
     }
 
@@ -155,9 +157,9 @@ public:
     /// nothing.
     template <conversation Conversation> constexpr void run_urgent(Conversation& who, instant now) noexcept
     {
-        static_assert(not endless_conversation<Conversation>,
+        static_assert(not detail::endless_conversation<Conversation>,
                       "this conversation never ends: no slot would ask behind it");
-        auto& conversation = as_visited(who);
+        auto& conversation = detail::as_visited(who);
         is_idle_ = false;
         stays_awake_ = stays_awake_ or stays_awake<Conversation> or not conversation.settled();
         static_cast<void>(client_.deliver(conversation, not conversation.settled(), now));
@@ -165,7 +167,7 @@ public:
         is_urgent_ = not conversation.settled() and is_urgent(conversation);
         wake_at(wake_of(conversation), now);
         if (not conversation.settled() and
-            client_.ask(conversation, now, slots_[0].options.with) == turn_result::asked) {
+            client_.ask(conversation, now, slots_[0].options.with) == detail::turn_result::asked) {
             asked_at_ = now; // a slot may get its outcome, where the conversation moved there
         }
     }
@@ -186,7 +188,7 @@ public:
     /// When the next pass has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        earliest next;
+        detail::earliest next;
         add_to(next);
         return next;
     }
@@ -244,7 +246,7 @@ private:
         client_.command(conversation, now, not is_urgent_);
         own.order_gap = order_gap_of(conversation);
         wake_at(wake_of(conversation), now);
-        turn_result turn = turn_result::waits;
+        detail::turn_result turn = detail::turn_result::waits;
         if (not is_urgent_ and not is_held_back(conversation, index, now)) {
             turn = client_.ask(conversation, now, own_retry_policy(own));
         }
@@ -254,12 +256,12 @@ private:
     /// Whether a conversation's request is a stop request: no rest and no probing holds it back.
     template <typename Conversation> static constexpr bool stops_now(Conversation const& conversation) noexcept
     {
-        return conversation.intent() == effect::stopping and not conversation.settled();
+        return conversation.intent() == detail::effect::stopping and not conversation.settled();
     }
 
     template <typename Conversation> static constexpr bool is_urgent(Conversation const& conversation) noexcept
     {
-        if constexpr (stops_by_broadcast<Conversation>) {
+        if constexpr (detail::stops_by_broadcast<Conversation>) {
             return conversation.is_urgent();
         } else {
             return true;
@@ -271,20 +273,20 @@ private:
     template <typename Conversation>
     constexpr bool is_held_back(Conversation const& conversation, std::size_t index, instant now) noexcept
     {
-        if constexpr (commanding_conversation<Conversation>) {
+        if constexpr (detail::commanding_conversation<Conversation>) {
             slot const& own = slots_[index];
             bool const is_new_here = conversation.unit().byte() != own.unit and not own.is_resting;
             if (stops_now(conversation) or is_new_here) {
                 return false;
             }
         }
-        return not frees_all_units<Conversation> and is_held_back(index, now);
+        return not detail::frees_all_units<Conversation> and is_held_back(index, now);
     }
 
     /// A third of the drive's time-out is left for the turns of others after a probe.
     template <typename Conversation> constexpr duration order_gap_of(Conversation const& conversation) const noexcept
     {
-        if constexpr (commanding_conversation<Conversation>) {
+        if constexpr (detail::commanding_conversation<Conversation>) {
             bool const is_ordered = client_.motor_orders().is_ordered(conversation.unit().byte());
             return is_ordered ? duration{conversation.drive_timeout().microseconds / 3 * 2} : duration{};
         } else {
@@ -297,7 +299,8 @@ private:
 
     /// Conversations that visit in every pass: their stops and their own times wait for nothing.
     template <typename Conversation>
-    static constexpr bool stays_awake = timed_conversation<Conversation> or std::derived_from<Conversation, commander>;
+    static constexpr bool stays_awake =
+        detail::timed_conversation<Conversation> or std::derived_from<Conversation, detail::commander>;
 
     /// Lets time pass for the slots, after the client. Not inlined: GCC would keep `is_idle_` in a register from here on,
     /// one instruction more for each slot of an idle pass.
@@ -320,10 +323,10 @@ private:
 
     /// A conversation of a slot has visited, and this became of its turn. Not inlined: it is called for each kind of
     /// conversation.
-    [[gnu::noinline]] constexpr void note_visit(std::size_t index, turn_result turn, instant now) noexcept
+    [[gnu::noinline]] constexpr void note_visit(std::size_t index, detail::turn_result turn, instant now) noexcept
     {
         slot& own = slots_[index];
-        if (turn == turn_result::asked) {
+        if (turn == detail::turn_result::asked) {
             own.last_asked = now;
             asked_at_ = now;
             if (std::uint8_t const unit = client_.asked_unit(); unit != own.unit and unit != 0) {
@@ -332,7 +335,7 @@ private:
                 own.has_responded = false;
             }
         }
-        if (turn != turn_result::waits and is_silent(own)) {
+        if (turn != detail::turn_result::waits and is_silent(own)) {
             last_probed_ = index; // it had its turn
         }
         is_new_pass_ = true;
@@ -343,7 +346,7 @@ private:
     }
 
     /// Adds the times of the slots.
-    constexpr void add_to(earliest& next) const noexcept
+    constexpr void add_to(detail::earliest& next) const noexcept
     {
         client_.add_to(next);
         next.add(wake_);
@@ -384,7 +387,7 @@ private:
     /// `advance` does not see lies ahead again when the clock has gone half way round.
     constexpr deadline end_of_rests() const noexcept
     {
-        earliest end;
+        detail::earliest end;
         for (slot const& each : slots_) {
             if (each.is_resting) {
                 end.add(each.not_before);
@@ -398,7 +401,7 @@ private:
     /// When a conversation has something to do by itself.
     template <typename Conversation> static constexpr deadline wake_of(Conversation const& conversation) noexcept
     {
-        if constexpr (timed_conversation<Conversation>) {
+        if constexpr (detail::timed_conversation<Conversation>) {
             return conversation.poll_deadline();
         } else {
             return {};
@@ -524,15 +527,15 @@ private:
     bool stays_awake_{false};      ///< one that no pass leaves out visited since then
     bool has_silent_{false};       ///< in an idle pass: a slot is silent
     bool is_probe_limited_{false}; ///< silent slots wait until `probe_at_`
-    visit_stage stage_{visit_stage::changing};
+    detail::visit_stage stage_{detail::visit_stage::changing};
     instant asked_at_{0};
     instant probe_at_{0};
     deadline wake_{};     ///< the first of the conversations' times
     deadline rest_end_{}; ///< in an idle pass: of the slots that rest
-    basic_client<needs_of_bus<Slots, Needs>> client_;
+    basic_client<detail::needs_of_bus<Slots, Needs>> client_;
     bus_options share_{};
     std::size_t last_probed_{Slots - 1};
-    std::array<slot, Slots> slots_{filled<Slots>(slot{})};
+    std::array<slot, Slots> slots_{detail::filled<Slots>(slot{})};
     bool is_urgent_{false};
 };
 

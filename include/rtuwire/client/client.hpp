@@ -51,14 +51,14 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// `Needs` is the constant that says what it is for: see `client_needs`. `client`, `drive_client`, `static_client` and
 /// `host_client` are names for the frequent ones.
 template <auto const& Needs> class basic_client {
-    using needed = told_by<Needs>;
+    using needed = detail::told_by<Needs>;
     using Observer = typename needed::observer;
-    using Orders = std::conditional_t<Needs.motors == 0, no_orders, orders<Needs.motors>>;
+    using Orders = std::conditional_t<Needs.motors == 0, detail::no_orders, detail::orders<Needs.motors>>;
 
 public:
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
     /// `client::traced_by<trace_ring<4096>>`.
-    template <typename Sink> using traced_by = basic_client<traced_needs<Needs, Sink>>;
+    template <typename Sink> using traced_by = basic_client<detail::traced_needs<Needs, Sink>>;
 
     explicit constexpr basic_client(line_timing const& its_timing, client_options const& its_options = {}) noexcept
         requires(not needed::is_fixed)
@@ -92,9 +92,9 @@ public:
     /// Internal.
     constexpr void sent(instant at, auto judge) noexcept
     {
-        bool const was_leaving = is_leaving(phase_now());
+        bool const was_leaving = detail::is_leaving(phase_now());
         transaction_.sent(at);
-        if constexpr (has_system) { // elsewhere nothing stops the program between this and `advance`
+        if constexpr (detail::has_system) { // elsewhere nothing stops the program between this and `advance`
             if (was_leaving) {
                 duration const ahead = transaction_.time_to_send();
                 keep_up(at - ahead, ahead, judge);
@@ -124,7 +124,7 @@ public:
     /// Internal.
     [[nodiscard]] constexpr instant judged_at(instant now) const noexcept
     {
-        return seen_ == instant{0} ? now : within_reach(seen_, now); // 0: the first time
+        return seen_ == instant{0} ? now : detail::within_reach(seen_, now); // 0: the first time
     }
 
     /// The bytes to send now, each request and repetition once; empty when there is nothing to send. They are the
@@ -134,13 +134,13 @@ public:
     /// When the next pass has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        earliest next;
+        detail::earliest next;
         add_to(next);
         return next;
     }
 
     /// The same, for a caller that collects several.
-    constexpr void add_to(earliest& next) const noexcept
+    constexpr void add_to(detail::earliest& next) const noexcept
     {
         transaction_.add_to(next, reservation_.is_held(), instant{seen_.microseconds - 1U});
         orders_.add_to(next);
@@ -157,12 +157,15 @@ public:
     [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return transaction_.has_seen_echo(); }
 
     /// What was counted.
-    [[nodiscard]] constexpr auto& statistics() noexcept { return first_of(transaction_.observer()); }
-    [[nodiscard]] constexpr auto const& statistics() const noexcept { return first_of(transaction_.observer()); }
+    [[nodiscard]] constexpr auto& statistics() noexcept { return detail::first_of(transaction_.observer()); }
+    [[nodiscard]] constexpr auto const& statistics() const noexcept
+    {
+        return detail::first_of(transaction_.observer());
+    }
 
     /// Hands the frames that pass from here on to a sink, which must outlive the client. For a client `traced_by` it.
     template <typename Sink>
-        requires is_traced_by<Observer, Sink>
+        requires detail::is_traced_by<Observer, Sink>
     constexpr void trace_to(Sink& frames) noexcept { transaction_.observer().trace_to(frames); }
 
     // The request under way.
@@ -172,7 +175,7 @@ public:
 
     /// How far it is.
     /// Internal.
-    [[nodiscard]] constexpr client_phase phase_now() const noexcept { return transaction_.phase_now(); }
+    [[nodiscard]] constexpr detail::client_phase phase_now() const noexcept { return transaction_.phase_now(); }
 
     /// The unit of the last request; 0 for a broadcast.
     [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return transaction_.asked_unit(); }
@@ -200,7 +203,7 @@ public:
     /// Internal.
     constexpr void cancel(instant now, auto judge) noexcept
     {
-        if (is_under_way(phase_now())) {
+        if (detail::is_under_way(phase_now())) {
             keep_up(now, duration{}, judge);
         }
         transaction_.cancel(now);
@@ -208,7 +211,10 @@ public:
 
     /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like; nothing where it was
     /// no frame, or where more has arrived behind it. Valid until bytes are taken or the next request begins.
-    [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept { return transaction_.refused(); }
+    [[nodiscard]] constexpr std::optional<detail::refused_frame> refused() const noexcept
+    {
+        return transaction_.refused();
+    }
 
     /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
     /// is leaving or waits for its response is not ended. The latest of several ends counts.
@@ -216,7 +222,10 @@ public:
 
     /// Whether no new request goes to a unit now: its response is outstanding, `hold` says so, or it was lost while it
     /// was ordered to run, and its own time-out has to stop it.
-    [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept { return is_barred(unit, effect::none); }
+    [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept
+    {
+        return is_barred(unit, detail::effect::none);
+    }
     [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return is_held(unit.byte()); }
 
     // The motors.
@@ -249,7 +258,7 @@ public:
     template <conversation Conversation>
     constexpr void converse(Conversation& who, instant now, retry_policy const& with) noexcept
     {
-        auto& conversation = as_visited(who);
+        auto& conversation = detail::as_visited(who);
         constexpr bool may_come = may_visit<std::remove_reference_t<decltype(conversation)>>;
         static_assert(may_come, "this client does not keep whose motor it ordered to run: take drive_client<Units>, or "
                                 "a bus");
@@ -257,7 +266,7 @@ public:
             static_cast<void>(deliver(conversation, not conversation.settled(), now));
             command(conversation, now);
             static_cast<void>(ask(conversation, now, with));
-            if constexpr (Orders::is_kept and timed_conversation<Conversation>) {
+            if constexpr (Orders::is_kept and detail::timed_conversation<Conversation>) {
                 orders_.wake_for(conversation.poll_deadline(), now);
             }
         }
@@ -269,7 +278,7 @@ public:
     constexpr std::optional<errc> deliver(Conversation& conversation, bool wants_turn, instant now) noexcept
     {
         std::optional<errc> told;
-        if (turns_.was_dropped(conversation, phase_now() == client_phase::idle)) {
+        if (turns_.was_dropped(conversation, phase_now() == detail::client_phase::idle)) {
             told = reason_of_drop(conversation);
             conversation.accept(*told);
             wants_turn = wants_turn and not conversation.settled();
@@ -292,12 +301,12 @@ public:
     template <conversation Conversation>
     constexpr void command(Conversation& conversation, instant now, bool may_ask = true) noexcept
     {
-        if constexpr (Orders::is_kept and may_be_stop<Conversation>) {
+        if constexpr (Orders::is_kept and detail::may_be_stop<Conversation>) {
             orders_.tell(conversation, conversation.unit().byte()); // what it begins with depends on it
         }
-        advance_conversation(conversation, now);
-        if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
-            if constexpr (stops_by_broadcast<Conversation>) {
+        detail::advance_conversation(conversation, now);
+        if constexpr (detail::commanding_conversation<Conversation> or detail::stops_by_broadcast<Conversation>) {
+            if constexpr (detail::stops_by_broadcast<Conversation>) {
                 visit_for_all(conversation, now);
             } else {
                 bool const stops = conversation.begins_to_stop();
@@ -308,9 +317,9 @@ public:
             }
         }
         if constexpr (may_stop_motors<Conversation>) {
-            bool const is_due = may_ask and effect_of(conversation) == effect::stopping;
+            bool const is_due = may_ask and effect_of(conversation) == detail::effect::stopping;
             if (is_due and not is_asked_by(conversation) and
-                check_order(conversation, effect::stopping) == errc::none) {
+                check_order(conversation, detail::effect::stopping) == errc::none) {
                 make_way_for(conversation, now);
             }
         }
@@ -318,23 +327,23 @@ public:
 
     /// The last part of `converse`. Where the request is refused, the conversation is given the error as its outcome.
     template <conversation Conversation>
-    constexpr turn_result ask(Conversation& conversation, instant now, retry_policy const& with) noexcept
+    constexpr detail::turn_result ask(Conversation& conversation, instant now, retry_policy const& with) noexcept
     {
-        static_assert(has_what_it_declares<Conversation>());
+        static_assert(detail::has_what_it_declares<Conversation>());
         static_assert(
-            has_what_it_asks<typename needed::functions, Conversation>(),
+            detail::has_what_it_asks<typename needed::functions, Conversation>(),
             "this client's list of functions lacks one that the conversation asks: add it to its client_needs");
-        static_assert(has_room_for<Needs, Conversation>(),
+        static_assert(detail::has_room_for<Needs, Conversation>(),
                       "this client has no room for the longest frames of the conversation: give its client_needs a "
                       "larger longest_frame");
         if (conversation.settled() and not turns_.is_last(conversation)) {
-            return turn_result::passed;
+            return detail::turn_result::passed;
         }
-        effect const what = effect_of(conversation);
+        detail::effect const what = effect_of(conversation);
         if (not has_turn(conversation, what, now)) {
-            return turn_result::waits;
+            return detail::turn_result::waits;
         }
-        if constexpr (prompt_conversation<Conversation>) {
+        if constexpr (detail::prompt_conversation<Conversation>) {
             if (errc const wrong = check_order(conversation, what); wrong != errc::none) {
                 return refuse(conversation, wrong, now);
             }
@@ -344,38 +353,38 @@ public:
         }
         auto const request = conversation.next();
         if (not request) {
-            return turn_result::passed;
+            return detail::turn_result::passed;
         }
-        std::uint8_t const unit = request->frame().empty() ? std::uint8_t{0} : to_u8(request->frame()[0]);
+        std::uint8_t const unit = request->frame().empty() ? std::uint8_t{0} : detail::to_u8(request->frame()[0]);
         if (is_barred(unit, what)) {
             return hold_back(conversation);
         }
-        errc const wrong = start(as_declared<Conversation>(*request), now, unit, policy_of(conversation, with));
+        errc const wrong = start(detail::as_declared<Conversation>(*request), now, unit, policy_of(conversation, with));
         if (wrong != errc::none) {
             return refuse(conversation, wrong, now);
         }
-        if constexpr (Orders::is_kept and may_write_meaning<Conversation>) {
+        if constexpr (Orders::is_kept and detail::may_write_meaning<Conversation>) {
             orders_.note_request(request->frame());
         }
         turns_.renew(conversation);
         note_asked(conversation, what);
-        return turn_result::asked;
+        return detail::turn_result::asked;
     }
 
     /// Whether the request has left and others wait already: visits change nothing but the marks of those.
     /// Internal.
     [[nodiscard]] constexpr bool needs_no_visit() const noexcept
     {
-        client_phase const at = phase_now();
-        bool const has_left = is_under_way(at) and at > client_phase::handed_out;
+        detail::client_phase const at = phase_now();
+        bool const has_left = detail::is_under_way(at) and at > detail::client_phase::handed_out;
         return has_left and turns_.others_wait() and not reservation_.is_held() and not is_held_back_;
     }
 
 private:
     /// Whether a conversation of this type may visit: what commands a motor has to be kept.
     template <typename Conversation>
-    static constexpr bool may_visit =
-        Orders::is_kept or not(commanding_conversation<Conversation> or stops_by_broadcast<Conversation>);
+    static constexpr bool may_visit = Orders::is_kept or not(detail::commanding_conversation<Conversation> or
+                                                             detail::stops_by_broadcast<Conversation>);
 
     /// A time limit begins `now`, or has begun. Where the latest `advance` was long ago, time passes before: else the next
     /// one, behind another pause, would judge it by that. The latest may have been later than `now`, by `ahead`.
@@ -395,17 +404,17 @@ private:
     /// turn finds its asker missing twice, or where the asker itself has given it up.
     constexpr bool comes_by(asker& who, bool wants_turn, instant now) noexcept
     {
-        client_phase const at = phase_now();
+        detail::client_phase const at = phase_now();
         bool const is_own = is_asked_by(who);
-        if (at == client_phase::idle or not(is_own or wants_turn)) {
+        if (at == detail::client_phase::idle or not(is_own or wants_turn)) {
             return false;
         }
-        standing place = standing::is_last;
+        detail::standing place = detail::standing::is_last;
         if (not is_own) {
             place = turns_.visit(who);
-        } else if (at == client_phase::settled) {
+        } else if (at == detail::client_phase::settled) {
             return true;
-        } else if (at == client_phase::waiting) {
+        } else if (at == detail::client_phase::waiting) {
             turns_.renew(who);
         }
         if (transaction_.awaits_asker(reservation_.is_of_stops())) {
@@ -419,11 +428,11 @@ private:
     }
 
     /// Only the asker is missing, and another conversation visits: whether that one takes its place. Inlined: smaller.
-    [[gnu::always_inline]] constexpr void replace_asker(standing place, instant now) noexcept
+    [[gnu::always_inline]] constexpr void replace_asker(detail::standing place, instant now) noexcept
     {
         transaction_.wake(now);
-        bool const takes_over = place == standing::is_next and turns_.misses_asker();
-        if (takes_over or place == standing::is_last) {
+        bool const takes_over = place == detail::standing::is_next and turns_.misses_asker();
+        if (takes_over or place == detail::standing::is_last) {
             transaction_.drop(now);
             static_cast<void>(take_outcome(now));
         }
@@ -439,21 +448,21 @@ private:
 
     /// Whether a conversation may ask now: a stop request does not wait for its turn.
     template <typename Conversation>
-    constexpr bool has_turn(Conversation& conversation, effect what, instant now) noexcept
+    constexpr bool has_turn(Conversation& conversation, detail::effect what, instant now) noexcept
     {
         if constexpr (may_stop_motors<Conversation>) {
-            if (what == effect::stopping) {
+            if (what == detail::effect::stopping) {
                 return may_stop(conversation, unit_stopped_by(conversation), now);
             }
         }
-        return may_ask(conversation, prompt_conversation<Conversation>, now);
+        return may_ask(conversation, detail::prompt_conversation<Conversation>, now);
     }
 
     /// Whether it is this conversation's turn to ask. While others wait, or for a request that is made at the
     /// last moment, the line has to be silent first.
     constexpr bool may_ask(asker& who, bool is_prompt, instant now) noexcept
     {
-        if (phase_now() != client_phase::idle) {
+        if (phase_now() != detail::client_phase::idle) {
             return false;
         }
         bool const is_silent = is_quiet();
@@ -469,7 +478,7 @@ private:
         if (not turns_.others_wait() and (is_silent or not is_prompt)) {
             return true;
         }
-        standing const at = turns_.visit(who);
+        detail::standing const at = turns_.visit(who);
         bool const may = is_silent and turns_.take(at);
         if (is_silent and not may) {
             transaction_.wake(now);
@@ -493,24 +502,24 @@ private:
     }
 
     /// Whether a request would leave in this pass.
-    constexpr bool is_free() const noexcept { return phase_now() == client_phase::idle and is_quiet(); }
+    constexpr bool is_free() const noexcept { return phase_now() == detail::client_phase::idle and is_quiet(); }
 
     /// A conversation's unit gets no request now. The one that asked last has had its turn; others get one later.
-    constexpr turn_result hold_back(asker const& who) noexcept
+    constexpr detail::turn_result hold_back(asker const& who) noexcept
     {
         if (not turns_.is_last(who)) {
             is_held_back_ = true;
         }
-        return turn_result::passed;
+        return detail::turn_result::passed;
     }
 
     /// A request cannot be sent.
     template <typename Conversation>
-    constexpr turn_result refuse(Conversation& conversation, errc wrong, instant now) noexcept
+    constexpr detail::turn_result refuse(Conversation& conversation, errc wrong, instant now) noexcept
     {
         conversation.accept(wrong);
         transaction_.wake(now); // it may have another request, and no deadline shows that
-        return turn_result::passed;
+        return detail::turn_result::passed;
     }
 
     /// A conversation may allow the response less time than the unit's policy.
@@ -551,7 +560,7 @@ private:
         if (not conversation.settled()) {
             orders_.note_under_way(conversation, unit);
         }
-        if constexpr (may_be_stop<Conversation>) {
+        if constexpr (detail::may_be_stop<Conversation>) {
             if (conversation.take_other_family()) {
                 orders_.leave_alone(unit, now);
             }
@@ -563,9 +572,9 @@ private:
     {
         orders_.visit_for_all(conversation, now);
         for (auto& each : conversation.stops()) {
-            static_assert(commanding_conversation<std::remove_reference_t<decltype(each)>>,
+            static_assert(detail::commanding_conversation<std::remove_reference_t<decltype(each)>>,
                           "each stop of a conversation that stops all units commands one of them");
-            visit(as_visited(each), now);
+            visit(detail::as_visited(each), now);
         }
         if (conversation.is_urgent()) {
             orders_.lose_all_but_its_own(conversation, now);
@@ -575,39 +584,42 @@ private:
 
     /// Whether a conversation's requests may be stop requests: these get the line first.
     template <typename Conversation>
-    static constexpr bool may_stop_motors = commanding_conversation<Conversation> or stops_by_broadcast<Conversation> or
-                                            (Orders::is_kept and frees_all_units<Conversation>);
+    static constexpr bool may_stop_motors = detail::commanding_conversation<Conversation> or
+                                            detail::stops_by_broadcast<Conversation> or
+                                            (Orders::is_kept and detail::frees_all_units<Conversation>);
 
     /// What the next request of a conversation does to a motor.
-    template <typename Conversation> static constexpr effect effect_of(Conversation const& conversation) noexcept
+    template <typename Conversation>
+    static constexpr detail::effect effect_of(Conversation const& conversation) noexcept
     {
-        if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
+        if constexpr (detail::commanding_conversation<Conversation> or detail::stops_by_broadcast<Conversation>) {
             return conversation.intent();
         }
-        return frees_all_units<Conversation> and not conversation.settled() ? effect::stopping : effect::none;
+        return detail::frees_all_units<Conversation> and not conversation.settled() ? detail::effect::stopping
+                                                                                    : detail::effect::none;
     }
 
     template <typename Conversation>
-    constexpr errc check_order(Conversation const& conversation, effect what) const noexcept
+    constexpr errc check_order(Conversation const& conversation, detail::effect what) const noexcept
     {
-        if constexpr (commanding_conversation<Conversation>) {
+        if constexpr (detail::commanding_conversation<Conversation>) {
             return orders_.check(conversation, conversation.unit().byte(), what);
         }
         return errc::none;
     }
 
-    template <typename Conversation> constexpr void note_asked(Conversation& conversation, effect what) noexcept
+    template <typename Conversation> constexpr void note_asked(Conversation& conversation, detail::effect what) noexcept
     {
-        if constexpr (commanding_conversation<Conversation>) {
+        if constexpr (detail::commanding_conversation<Conversation>) {
             orders_.note_asked(conversation, conversation.unit().byte(), what, conversation.drive_timeout(),
                                conversation.tolerated_misses());
-        } else if constexpr (stops_by_broadcast<Conversation>) {
+        } else if constexpr (detail::stops_by_broadcast<Conversation>) {
             for (auto& each : conversation.stops()) {
                 if (each.unit().byte() == asked_unit()) {
-                    note_asked(as_visited(each), what);
+                    note_asked(detail::as_visited(each), what);
                 }
             }
-        } else if constexpr (Orders::is_kept and frees_all_units<Conversation>) {
+        } else if constexpr (Orders::is_kept and detail::frees_all_units<Conversation>) {
             orders_.note_all_freed();
         }
     }
@@ -615,7 +627,7 @@ private:
     /// Why a request was given up: a stop of its unit came before it, or it was cancelled.
     template <typename Conversation> constexpr errc reason_of_drop(Conversation const& conversation) const noexcept
     {
-        if constexpr (commanding_conversation<Conversation>) {
+        if constexpr (detail::commanding_conversation<Conversation>) {
             return orders_.is_overruled(conversation, conversation.unit().byte()) ? errc::overruled : errc::cancelled;
         }
         return errc::cancelled;
@@ -623,16 +635,16 @@ private:
 
     /// Whether a unit gets no request of this effect now. Stop requests do not wait for outstanding responses of their
     /// unit: none of these is the echo of a stop request.
-    constexpr bool is_barred(std::uint8_t unit, effect what) const noexcept
+    constexpr bool is_barred(std::uint8_t unit, detail::effect what) const noexcept
     {
-        return orders_.is_silent(unit, what) or (what != effect::stopping and transaction_.is_held(unit));
+        return orders_.is_silent(unit, what) or (what != detail::effect::stopping and transaction_.is_held(unit));
     }
 
     /// The unit that a stop request stops; 0 for one of several.
     template <typename Conversation>
     static constexpr std::uint8_t unit_stopped_by(Conversation const& conversation) noexcept
     {
-        if constexpr (commanding_conversation<Conversation>) {
+        if constexpr (detail::commanding_conversation<Conversation>) {
             return conversation.unit().byte();
         }
         return 0;
@@ -647,9 +659,9 @@ private:
             return;
         }
         bool may_cut = false;
-        if constexpr (stops_by_broadcast<Conversation>) {
+        if constexpr (detail::stops_by_broadcast<Conversation>) {
             may_cut = conversation.may_cut(asked_unit());
-        } else if constexpr (commanding_conversation<Conversation>) {
+        } else if constexpr (detail::commanding_conversation<Conversation>) {
             may_cut = conversation.unit().byte() == asked_unit();
         }
         make_way_for(conversation, unit_stopped_by(conversation), may_cut, now);
@@ -686,23 +698,27 @@ private:
 
     // Small processors reach what is near with short instructions: what each pass uses stands in front of the transaction,
     // which ends with the memory of a frame.
-    [[no_unique_address]] turns turns_;
+    [[no_unique_address]] detail::turns turns_;
     bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
-    transaction<Needs> transaction_;
+    detail::transaction<Needs> transaction_;
     instant seen_{0}; ///< the latest `advance`
     [[no_unique_address]] Orders orders_;
-    [[no_unique_address]] std::conditional_t<Orders::is_kept, reservation, no_reservation> reservation_{};
+    [[no_unique_address]] std::conditional_t<Orders::is_kept, detail::reservation, detail::no_reservation>
+        reservation_{};
 };
 
 /// A client that counts nothing.
 using client = basic_client<usual_needs>;
 
+namespace detail {
+
 /// What a `drive_client` needs.
-/// Internal.
 template <std::size_t Units> inline constexpr client_needs<> needs_to_drive{.motors = Units};
 
+} // namespace detail
+
 /// The same for conversations that command the motors of up to `Units` units: start, stop, cycle and the like.
-template <std::size_t Units = 1> using drive_client = basic_client<needs_to_drive<Units>>;
+template <std::size_t Units = 1> using drive_client = basic_client<detail::needs_to_drive<Units>>;
 
 /// The same where memory does not matter: its requests and responses may have any size.
 using host_client = basic_client<host_needs>;

@@ -4,7 +4,6 @@
 // What tells a client from one that is made anew in its place (`emplace` of an optional, a local object of a function that
 // is called again): a number from the one counter that all clients of a program share. A conversation may outlive its
 // client, and the numbers that it holds are of that client's count.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +11,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Another number for each client, never 0. Two clients that two tasks make at once may get the same where a processor has
 /// no operation for it; they are in two places then.
@@ -25,5 +26,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 #endif
     return number == 0 ? 1 : number;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

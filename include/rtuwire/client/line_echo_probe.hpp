@@ -15,9 +15,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Reads one register of a unit and checks whether the request comes back, while it is sent or before the response.
 /// For a client without `has_line_echo`.
-class line_echo_probe : public word_read {
+class line_echo_probe : public detail::word_read {
 public:
-    explicit constexpr line_echo_probe(unit_id unit) noexcept : word_read{unit, address} {}
+    explicit constexpr line_echo_probe(unit_id unit) noexcept : detail::word_read{unit, address} {}
 
     /// Whether the line echoes; `busy` until it is settled. Errors: those of the client, where the unit did not
     /// respond at all. An exception is a response.

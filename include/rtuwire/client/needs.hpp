@@ -30,7 +30,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 ///     inline constexpr client_needs<function_list<read_holding_registers, write_single_register>> panel{
 ///         .timing = line_timing{19'200, character_format::even_8_1}, .longest_frame = 64};
 ///     constinit basic_client<panel> link;
-template <typename Functions = public_functions, typename Observer = no_observer> struct client_needs {
+template <typename Functions = public_functions, typename Observer = detail::no_observer> struct client_needs {
     using functions = Functions;
     using observer = Observer;
 
@@ -60,8 +60,9 @@ template <typename Observer> inline constexpr client_needs<public_functions, Obs
 /// Those of a program where memory does not matter: requests and responses of every size, and 32 motors.
 inline constexpr client_needs<> host_needs{.request_room = max_adu_size, .motors = 32};
 
+namespace detail {
+
 /// What the constant `Needs` says, in types and in changed copies of it.
-/// Internal.
 template <auto const& Needs> struct told_by {
     using functions = typename std::remove_cvref_t<decltype(Needs)>::functions;
     using observer = typename std::remove_cvref_t<decltype(Needs)>::observer;
@@ -104,7 +105,6 @@ template <auto const& Needs> struct told_by {
 
 /// Whether a list of functions has all that a conversation asks, as far as its type tells: a conversation may declare
 /// `static constexpr function_set asks{...}`.
-/// Internal.
 template <typename Functions, typename Conversation> [[nodiscard]] consteval bool has_what_it_asks() noexcept
 {
     if constexpr (requires { Conversation::asks; }) {
@@ -115,7 +115,6 @@ template <typename Functions, typename Conversation> [[nodiscard]] consteval boo
 
 /// Whether a client has room for the longest request of a conversation together with its longest response, as far as its
 /// type tells.
-/// Internal.
 template <auto const& Needs, typename Conversation> [[nodiscard]] consteval bool has_room_for() noexcept
 {
     if constexpr (requires { Conversation::longest_frames; }) {
@@ -127,10 +126,11 @@ template <auto const& Needs, typename Conversation> [[nodiscard]] consteval bool
 }
 
 /// The same needs, with a sink that takes the frames.
-/// Internal.
 template <auto const& Needs, typename Sink>
 inline constexpr auto traced_needs =
     told_by<Needs>::template with<observers<typename told_by<Needs>::observer, tracing<Sink>>>(Needs.quarantine_places,
                                                                                                Needs.motors);
+
+} // namespace detail
 
 } // namespace rtuwire

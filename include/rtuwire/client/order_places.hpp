@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Where a client keeps what it knows of the units whose motors it commands: see ask/unit_order.hpp.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -15,6 +14,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Places for `Units` units, and one entry for all others together.
 template <std::size_t Units> class order_places {
@@ -116,5 +117,7 @@ private:
     unit_order others_{nothing_known};
     [[no_unique_address]] used_places<Units> used_{};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

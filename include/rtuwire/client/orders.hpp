@@ -22,7 +22,6 @@
 // 2 s at most, only stop requests go to that unit. After that it gets no request of any conversation, until the drive's own
 // time-out and 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins meanwhile
 // has 2 s for its requests, from the first one on. A response to one of them ends the loss; the order stays cancelled.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +38,8 @@
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// How long stop requests may be sent after a loss, or after the first one of a stop that follows it.
 inline constexpr duration stop_words_after_loss = milliseconds(2'000);
@@ -842,5 +843,7 @@ private:
     deadline wake_{};
     order_places<Units> places_;
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -64,7 +64,7 @@ private:
 };
 
 /// Counts for the line as a whole.
-class line_statistics : public no_observer {
+class line_statistics : public detail::no_observer {
 public:
     constexpr void on_event(line_event what, std::uint8_t) noexcept { line_.note(what); }
 
@@ -108,7 +108,7 @@ private:
 
 /// Counts for the line and for the first `Units` units that are asked. A frame that names no unit for sure counts for
 /// the unit asked; bytes outside of transactions count for the line alone.
-template <std::size_t Units> class unit_statistics : public no_observer {
+template <std::size_t Units> class unit_statistics : public detail::no_observer {
 public:
     constexpr void on_event(line_event what, std::uint8_t unit) noexcept
     {

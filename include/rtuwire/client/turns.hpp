@@ -4,7 +4,6 @@
 // Which conversation asked last, and which may ask next: in the order in which they visit (`converse` is called for
 // them), beginning after the one that was served last. Knows a conversation by the number that it holds; compares no
 // addresses, so that a conversation may be destroyed, moved, or made anew in the same place.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +14,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The standing of a conversation that visits where another has asked or others wait.
 enum class standing : std::uint8_t {
@@ -242,5 +243,7 @@ struct no_reservation {
     [[nodiscard]] static constexpr bool is_held() noexcept { return false; }
     [[nodiscard]] static constexpr bool is_of_stops() noexcept { return false; }
 };
+
+} // namespace detail
 
 } // namespace rtuwire

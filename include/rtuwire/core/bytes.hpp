@@ -20,15 +20,15 @@ using byte_view = std::span<std::byte const>;
 /// Bytes to be written, owned and kept alive elsewhere.
 using byte_span = std::span<std::byte>;
 
+namespace detail {
+
 /// The low eight bits of a value as a byte.
-/// Internal.
 [[nodiscard]] constexpr std::byte to_byte(std::uint32_t value) noexcept
 {
     return static_cast<std::byte>(value & 0xFFU);
 }
 
 /// A byte as a number.
-/// Internal.
 [[nodiscard]] constexpr std::uint8_t to_u8(std::byte value) noexcept { return static_cast<std::uint8_t>(value); }
 
 #if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_UNALIGNED)
@@ -37,12 +37,10 @@ using byte_span = std::span<std::byte>;
 #define RTUWIRE_LOADS_SINGLE_BYTES 0
 #endif
 /// Whether this processor loads a word from any address as single bytes: a Cortex-M0+ does.
-/// Internal.
 inline constexpr bool loads_single_bytes = RTUWIRE_LOADS_SINGLE_BYTES == 1;
 #undef RTUWIRE_LOADS_SINGLE_BYTES
 
 /// Two bytes, most significant first, as a number.
-/// Internal.
 [[nodiscard]] constexpr std::uint16_t to_u16(std::byte high, std::byte low) noexcept
 {
     // Of a shift and an OR compilers make a load of a word and a swap. Where the load is not one instruction, that is
@@ -53,7 +51,6 @@ inline constexpr bool loads_single_bytes = RTUWIRE_LOADS_SINGLE_BYTES == 1;
 }
 
 /// The big-endian word at an offset. The caller has checked that `offset + 2 <= bytes.size()`.
-/// Internal.
 [[nodiscard]] constexpr std::uint16_t u16_at(byte_view bytes, std::size_t offset) noexcept
 {
     // From one pointer: compilers then load both bytes at once.
@@ -62,7 +59,6 @@ inline constexpr bool loads_single_bytes = RTUWIRE_LOADS_SINGLE_BYTES == 1;
 }
 
 /// Writes a word as two bytes, most significant first.
-/// Internal.
 constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
 {
     at[0] = to_byte(std::uint32_t{value} >> 8U);
@@ -70,7 +66,6 @@ constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
 }
 
 /// Eight bytes, the first in the lowest bits.
-/// Internal.
 [[nodiscard]] constexpr std::uint64_t word_at(std::byte const* at) noexcept
 {
     return std::uint64_t{to_u8(at[0])} | std::uint64_t{to_u8(at[1])} << 8U | std::uint64_t{to_u8(at[2])} << 16U |
@@ -79,7 +74,6 @@ constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
 }
 
 /// Whether two views hold the same bytes.
-/// Internal.
 [[nodiscard]] constexpr bool same_bytes(byte_view left, byte_view right) noexcept
 {
     if (left.size() != right.size()) {
@@ -93,6 +87,8 @@ constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
     return true;
 }
 
+} // namespace detail
+
 /// Writes big-endian fields to the front of a span. A field that does not fit is not written, nor is
 /// any after it, and `ok()` turns false for good.
 class byte_writer {
@@ -105,7 +101,7 @@ public:
     constexpr void u8(std::uint32_t value) noexcept
     {
         if (room_for(1)) {
-            *next_++ = to_byte(value);
+            *next_++ = detail::to_byte(value);
         }
     }
 
@@ -113,7 +109,7 @@ public:
     constexpr void u16(std::uint32_t value) noexcept
     {
         if (room_for(2)) {
-            put_u16(next_, static_cast<std::uint16_t>(value));
+            detail::put_u16(next_, static_cast<std::uint16_t>(value));
             next_ += 2;
         }
     }

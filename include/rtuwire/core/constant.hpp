@@ -3,7 +3,6 @@
 //
 // Where a class gets a setting from: a copy in the object (`stored`), or a constant of the program
 // (`constant`), which takes no memory and lets the compiler calculate with it. Both are read by `get`.
-// Internal: may change with any version.
 #pragma once
 
 #include <type_traits>
@@ -11,6 +10,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// A setting that is given when the object is constructed.
 template <typename T> class stored {
@@ -29,5 +30,7 @@ template <auto const& Value> struct constant {
 
 /// Whether a setting takes no memory.
 template <typename Setting> inline constexpr bool is_constant = std::is_empty_v<Setting>;
+
+} // namespace detail
 
 } // namespace rtuwire

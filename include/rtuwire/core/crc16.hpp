@@ -23,15 +23,18 @@ enum class crc_form : std::uint8_t {
     host,         ///< 4 KiB; up to 64 bytes at a time, for 64-bit processors
 };
 
+namespace detail {
+
 /// The form in use: the program's choice by `-DRTUWIRE_CRC_FORM=byte_table`, or `nibble_table` on 32 bits and `host`
 /// elsewhere.
-/// Internal.
 inline constexpr crc_form default_crc_form = crc_form::RTUWIRE_CRC_FORM;
+
+} // namespace detail
 
 /// A CRC that is updated byte by byte, so that a receiver has it when the last byte arrives. Over a whole
 /// frame, its two CRC bytes included, the value is zero exactly when the CRC is right. `host` processes single bytes by
 /// the byte table.
-template <crc_form Form = default_crc_form> class running_crc16 {
+template <crc_form Form = detail::default_crc_form> class running_crc16 {
 public:
     constexpr running_crc16() noexcept = default;
     /// Continues after bytes whose CRC is `from`.
@@ -40,7 +43,7 @@ public:
     /// Takes the next byte.
     constexpr void add(std::byte byte) noexcept
     {
-        std::uint32_t mixed = std::uint32_t{state_} ^ to_u8(byte);
+        std::uint32_t mixed = std::uint32_t{state_} ^ detail::to_u8(byte);
         if constexpr (Form == crc_form::bitwise) {
             state_ = crc16_tables::shifted(mixed, 8);
         } else if constexpr (Form == crc_form::nibble_table) {
@@ -59,18 +62,22 @@ private:
     std::uint16_t state_{0xFFFF};
 };
 
+namespace detail {
+
 /// More than 8 bytes. Not inlined, so that the choice by size is inlined where the size is known.
-/// Internal.
 [[nodiscard, gnu::noinline]] constexpr std::uint16_t crc16_of_many(byte_view bytes) noexcept
 {
     return bytes.size() <= 32 ? crc16_tables::of_some(bytes) : crc16_words::of_words(bytes);
 }
 
+} // namespace detail
+
 /// The CRC of a sequence of bytes.
-template <crc_form Form = default_crc_form> [[nodiscard]] constexpr std::uint16_t crc16(byte_view bytes) noexcept
+template <crc_form Form = detail::default_crc_form>
+[[nodiscard]] constexpr std::uint16_t crc16(byte_view bytes) noexcept
 {
     if constexpr (Form == crc_form::host) {
-        return bytes.size() <= 8 ? crc16_tables::of_few(bytes.data(), bytes.size()) : crc16_of_many(bytes);
+        return bytes.size() <= 8 ? crc16_tables::of_few(bytes.data(), bytes.size()) : detail::crc16_of_many(bytes);
     } else {
         running_crc16<Form> crc;
         std::byte const* at = bytes.data();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // An array of equal values, for types without a default value.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -13,6 +12,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// `Size` times `value`.
 template <std::size_t Size, typename T> [[nodiscard]] constexpr std::array<T, Size> filled(T const& value) noexcept
 {
@@ -22,5 +23,7 @@ template <std::size_t Size, typename T> [[nodiscard]] constexpr std::array<T, Si
     }
     (std::make_index_sequence<Size>{});
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -3,7 +3,6 @@
 //
 // An array with a length, for bytes whose number is known only after encoding. Owns its storage,
 // never allocates, and never holds more than its capacity.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -15,6 +14,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Up to `Capacity` bytes, stored in place.
 template <std::size_t Capacity> class fixed_buffer {
@@ -69,5 +70,7 @@ private:
     std::array<std::byte, Capacity> storage_{};
     std::uint16_t size_{0};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -14,8 +14,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// The text of a hexadecimal literal, as a template argument.
-/// Internal.
 template <std::size_t Size> struct hex_literal {
     char literal[Size]{};
 
@@ -37,11 +38,14 @@ template <std::size_t Size> struct hex_literal {
     }
 };
 
+} // namespace detail
+
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void a_hex_literal_holds_only_hexadecimal_digits_and_spaces();
 
+namespace detail {
+
 /// The value of one hexadecimal digit of a literal.
-/// Internal.
 [[nodiscard]] constexpr std::uint8_t hex_digit(char digit) noexcept
 {
     if (digit >= '0' and digit <= '9') {
@@ -57,10 +61,12 @@ void a_hex_literal_holds_only_hexadecimal_digits_and_spaces();
     return 0;
 }
 
+} // namespace detail
+
 inline namespace literals {
 
 /// The bytes of a text of hexadecimal digits; spaces may stand anywhere.
-template <hex_literal Text> consteval auto operator""_hex() noexcept
+template <detail::hex_literal Text> consteval auto operator""_hex() noexcept
 {
     static_assert(Text.digits() % 2 == 0, "a hex literal holds two digits for each byte");
     std::array<std::byte, Text.digits() / 2> bytes{};
@@ -70,7 +76,7 @@ template <hex_literal Text> consteval auto operator""_hex() noexcept
             continue;
         }
         auto& byte = bytes[digit / 2];
-        byte = to_byte((std::uint32_t{to_u8(byte)} << 4U) | hex_digit(c));
+        byte = detail::to_byte((std::uint32_t{detail::to_u8(byte)} << 4U) | detail::hex_digit(c));
         ++digit;
     }
     return bytes;
@@ -92,8 +98,8 @@ template <hex_literal Text> consteval auto operator""_hex() noexcept
         if (space != 0) {
             out[size++] = ' ';
         }
-        out[size++] = digits[to_u8(byte) >> 4U];
-        out[size++] = digits[to_u8(byte) & 0xFU];
+        out[size++] = digits[detail::to_u8(byte) >> 4U];
+        out[size++] = digits[detail::to_u8(byte) & 0xFU];
     }
     return out.first(size);
 }

@@ -13,14 +13,17 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// std::string_view, without its header: a view of characters that somebody else owns.
-/// Internal.
 template <typename View>
 concept character_view =
     std::constructible_from<View, char const*, std::size_t> and std::is_trivially_copyable_v<View> and requires
 {
     typename View::traits_type;
 };
+
+} // namespace detail
 
 /// Characters that live as long as the program, without a terminating zero.
 class literal {
@@ -38,7 +41,7 @@ public:
     [[nodiscard]] constexpr char const* end() const noexcept { return data_ + size_; }
 
     /// As a std::string_view.
-    template <character_view View> constexpr operator View() const noexcept { return View(data_, size_); }
+    template <detail::character_view View> constexpr operator View() const noexcept { return View(data_, size_); }
 
     friend constexpr bool operator==(literal left, literal right) noexcept
     {

@@ -89,12 +89,12 @@ struct dimensionless {
     static constexpr char symbol[] = "";
 };
 
+namespace detail {
+
 /// Whether every whole number of `From` steps is a whole number of `To` steps.
-/// Internal.
 template <typename From, typename To> inline constexpr bool is_finer = std::ratio_divide<From, To>::den == 1;
 
 /// Whether a `To` holds every `From`, multiplied by a factor.
-/// Internal.
 template <std::integral From, std::integral To> [[nodiscard]] consteval bool holds_all(std::intmax_t factor) noexcept
 {
     using from = std::numeric_limits<From>;
@@ -105,6 +105,8 @@ template <std::integral From, std::integral To> [[nodiscard]] consteval bool hol
            (not has_sign or std::cmp_less_equal(std::intmax_t{(to::min)()} / factor, (from::min)()));
 }
 
+} // namespace detail
+
 /// Not constexpr, so that in a constant expression the compiler reports one of these names. At run time they do
 /// nothing.
 inline void this_amount_does_not_fit_the_target() noexcept {}
@@ -112,7 +114,8 @@ inline void this_amount_is_not_a_whole_number_of_steps() noexcept {}
 
 /// `count` steps of `Scale` of a dimension: quantity<frequency, uint16, 1/10> counts tenths of a hertz.
 template <typename Dimension, std::integral Rep, typename Scale = std::ratio<1>> class quantity {
-    static_assert(holds_all<Rep, std::int64_t>(1), "a quantity counts in at most 64 bits, one of them the sign");
+    static_assert(detail::holds_all<Rep, std::int64_t>(1),
+                  "a quantity counts in at most 64 bits, one of them the sign");
 
 public:
     using dimension = Dimension;
@@ -126,14 +129,14 @@ public:
 
     /// The same, from another type whose every number fits.
     template <std::integral Count>
-        requires(holds_all<Count, Rep>(1) and not std::same_as<Count, Rep>)
+        requires(detail::holds_all<Count, Rep>(1) and not std::same_as<Count, Rep>)
     explicit constexpr quantity(Count count) noexcept : count_{static_cast<Rep>(count)} {}
 
     /// The same, from a type that holds more: only a constant that fits. A number known only at run time is counted in a
     /// type that holds it: `n * 0.1_s`, which `checked` then holds against a register. (Clang 14, which fails on such
     /// constructors, takes it, and the nearest amount.)
     template <std::integral Count>
-        requires(not holds_all<Count, Rep>(1))
+        requires(not detail::holds_all<Count, Rep>(1))
 #if defined(__clang__) && __clang_major__ < 15
     explicit constexpr quantity(Count count) noexcept : count_ { nearest(count) }
 #else
@@ -147,7 +150,8 @@ public:
 
     /// The same amount in finer steps, of a type that can hold all of them.
     template <std::integral OtherRep, typename OtherScale>
-        requires(is_finer<OtherScale, Scale>and holds_all<OtherRep, Rep>(std::ratio_divide<OtherScale, Scale>::num))
+        requires(detail::is_finer<OtherScale, Scale>and detail::holds_all<OtherRep, Rep>(
+            std::ratio_divide<OtherScale, Scale>::num))
     constexpr quantity(quantity<Dimension, OtherRep, OtherScale> other) noexcept
         : count_{static_cast<Rep>(static_cast<Rep>(other.count()) *
                                   static_cast<Rep>(std::ratio_divide<OtherScale, Scale>::num))}
@@ -156,8 +160,8 @@ public:
     /// The same amount, of a literal: `decihertz top = 50_Hz`. Only a constant that is a whole number of these steps, and
     /// that fits.
     template <typename OtherScale>
-        requires(not is_finer<OtherScale, Scale> or
-                 not holds_all<std::int64_t, Rep>(std::ratio_divide<OtherScale, Scale>::num))
+        requires(not detail::is_finer<OtherScale, Scale> or
+                 not detail::holds_all<std::int64_t, Rep>(std::ratio_divide<OtherScale, Scale>::num))
     consteval quantity(quantity<Dimension, std::int64_t, OtherScale> another) noexcept
         : count_{static_cast<Rep>(another.count() * std::ratio_divide<OtherScale, Scale>::num /
                                   std::ratio_divide<OtherScale, Scale>::den)}
@@ -189,28 +193,26 @@ private:
     Rep count_{};
 };
 
+namespace detail {
+
 /// Internal.
 template <typename T> inline constexpr bool is_quantity_type = false;
 template <typename Dimension, typename Rep, typename Scale>
 inline constexpr bool is_quantity_type<quantity<Dimension, Rep, Scale>> = true;
 
 /// Whether a type is a quantity, of any dimension and width.
-/// Internal.
 template <typename T>
 concept any_quantity = is_quantity_type<T>;
 
 /// Whether two types are quantities that measure the same.
-/// Internal.
 template <typename Left, typename Right> inline constexpr bool measures_the_same = false;
 template <any_quantity Left, any_quantity Right>
 inline constexpr bool measures_the_same<Left, Right> =
     std::same_as<typename Left::dimension, typename Right::dimension>;
 
-/// Internal.
 inline constexpr int no_power_of_ten = -1'000;
 
 /// The power of ten that a step is; `no_power_of_ten` where it is none.
-/// Internal.
 template <typename Scale> [[nodiscard]] consteval int power_of_ten() noexcept
 {
     std::intmax_t rest = Scale::num > Scale::den ? Scale::num : Scale::den;
@@ -221,6 +223,8 @@ template <typename Scale> [[nodiscard]] consteval int power_of_ten() noexcept
     bool const is_one = rest == 1 and (Scale::num == 1 or Scale::den == 1);
     return not is_one ? no_power_of_ten : Scale::num > 1 ? power : -power;
 }
+
+} // namespace detail
 
 /// The amount in steps of `Target`, the remainder cut off. What does not fit does not compile in a constant
 /// expression; at run time it becomes the nearest amount that fits.

@@ -26,27 +26,24 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 inline void this_amount_does_not_fit_64_bits() noexcept {}
 inline void this_amount_is_divided_by_zero_here() noexcept {}
 
+namespace detail {
+
 /// The ends of 64 bits: amounts that are out of range.
-/// Internal.
 inline constexpr std::int64_t above_all = (std::numeric_limits<std::int64_t>::max)();
-/// Internal.
 inline constexpr std::int64_t below_all = (std::numeric_limits<std::int64_t>::min)();
 
 /// Whether a count of 64 bits stands for an amount that they do not hold.
-/// Internal.
 [[nodiscard]] constexpr bool is_out_of_range(std::int64_t count) noexcept
 {
     return count == above_all or count == below_all;
 }
 
-/// Internal.
 [[nodiscard]] constexpr std::int64_t out_of_range(bool is_negative) noexcept
 {
     return is_negative ? below_all : above_all;
 }
 
 /// The size of a number without its sign.
-/// Internal.
 [[nodiscard]] constexpr std::uint64_t magnitude(std::int64_t count) noexcept
 {
     auto const bits = static_cast<std::uint64_t>(count);
@@ -54,14 +51,12 @@ inline constexpr std::int64_t below_all = (std::numeric_limits<std::int64_t>::mi
 }
 
 /// The opposite; of one end, the other.
-/// Internal.
 [[nodiscard]] constexpr std::int64_t opposite(std::int64_t count) noexcept
 {
     return is_out_of_range(count) ? out_of_range(count > 0) : -count;
 }
 
 /// The product, or an end where 64 bits do not hold it. By halves: 32-bit machines have no product of 128 bits.
-/// Internal.
 [[nodiscard]] constexpr std::int64_t bounded_product(std::int64_t left, std::int64_t right) noexcept
 {
     bool const is_negative = (left < 0) != (right < 0);
@@ -85,7 +80,6 @@ inline constexpr std::int64_t below_all = (std::numeric_limits<std::int64_t>::mi
 }
 
 /// The product; what does not fit is refused in a constant expression.
-/// Internal.
 [[nodiscard]] constexpr std::int64_t product_of_counts(std::int64_t count, std::int64_t factor) noexcept
 {
     std::int64_t const product = bounded_product(count, factor);
@@ -96,7 +90,6 @@ inline constexpr std::int64_t below_all = (std::numeric_limits<std::int64_t>::mi
 }
 
 /// The sum; an end stays one.
-/// Internal.
 [[nodiscard]] constexpr std::int64_t sum_of_counts(std::int64_t left, std::int64_t right) noexcept
 {
     std::int64_t sum = 0;
@@ -114,7 +107,6 @@ inline constexpr std::int64_t below_all = (std::numeric_limits<std::int64_t>::mi
 }
 
 /// The quotient, its remainder cut off; an end where the divisor is 0.
-/// Internal.
 [[nodiscard]] constexpr std::int64_t quotient_of_counts(std::int64_t count, std::int64_t divisor) noexcept
 {
     if (divisor == 0) {
@@ -125,22 +117,18 @@ inline constexpr std::int64_t below_all = (std::numeric_limits<std::int64_t>::mi
 }
 
 /// The largest size of a type's numbers.
-/// Internal.
 template <std::integral Rep>
 inline constexpr std::uint64_t largest_size = static_cast<std::uint64_t>((std::numeric_limits<Rep>::max)()) +
                                               (std::is_signed_v<Rep> ? 1U : 0U);
 
 /// Whether every multiple of a type's numbers stays below a limit.
-/// Internal.
 template <std::integral Rep, std::intmax_t Factor, std::uint64_t Limit>
 inline constexpr bool stays_below = largest_size<Rep> <= (Limit - 1) / static_cast<std::uint64_t>(Factor);
 
 /// The type for a result whose operands are 16 bits wide and below half of 32 bits; for all others 64 bits.
-/// Internal.
 template <bool IsNarrow> using result_rep = std::conditional_t<IsNarrow, std::int32_t, std::int64_t>;
 
 /// The greatest common divisor of two positive numbers.
-/// Internal.
 [[nodiscard]] consteval std::intmax_t common_divisor(std::intmax_t left, std::intmax_t right) noexcept
 {
     while (right != 0) {
@@ -153,7 +141,6 @@ template <bool IsNarrow> using result_rep = std::conditional_t<IsNarrow, std::in
 
 /// What two quantities have in common: the coarsest step of which both are whole multiples, and how many of it make
 /// one step of each.
-/// Internal.
 template <any_quantity Left, any_quantity Right> struct common_steps {
     using left = typename Left::scale;
     using right = typename Right::scale;
@@ -173,7 +160,6 @@ template <any_quantity Left, any_quantity Right> struct common_steps {
     using sum = quantity<typename Left::dimension, rep, scale>;
 };
 
-/// Internal.
 template <any_quantity Left, any_quantity Right>
 [[nodiscard]] constexpr std::strong_ordering compared(Left left, Right right) noexcept
 {
@@ -191,7 +177,6 @@ template <any_quantity Left, any_quantity Right>
     }
 }
 
-/// Internal.
 template <bool IsDifference, any_quantity Left, any_quantity Right>
 [[nodiscard]] constexpr auto combined(Left left, Right right) noexcept
 {
@@ -209,131 +194,147 @@ template <bool IsDifference, any_quantity Left, any_quantity Right>
     }
 }
 
+} // namespace detail
+
 /// Equal by value: 50_Hz is decihertz{500}.
-template <any_quantity Left, any_quantity Right>
+template <detail::any_quantity Left, detail::any_quantity Right>
     requires(not std::same_as<Left, Right>)
 [[nodiscard]] constexpr bool operator==(Left left, Right right) noexcept
 {
-    static_assert(measures_the_same<Left, Right>, "these two measure different things, and are never equal");
-    return compared(left, right) == 0;
+    static_assert(detail::measures_the_same<Left, Right>, "these two measure different things, and are never equal");
+    return detail::compared(left, right) == 0;
 }
 
 /// Compared by value, signed with unsigned, tenths with hundredths.
-template <any_quantity Left, any_quantity Right>
+template <detail::any_quantity Left, detail::any_quantity Right>
     requires(not std::same_as<Left, Right>)
 [[nodiscard]] constexpr std::strong_ordering operator<=>(Left left, Right right) noexcept
 {
-    static_assert(measures_the_same<Left, Right>, "these two measure different things, and do not compare");
-    return compared(left, right);
+    static_assert(detail::measures_the_same<Left, Right>, "these two measure different things, and do not compare");
+    return detail::compared(left, right);
 }
 
 /// The exact sum, in the finer of both steps.
-template <any_quantity Left, any_quantity Right> [[nodiscard]] constexpr auto operator+(Left left, Right right) noexcept
+template <detail::any_quantity Left, detail::any_quantity Right>
+[[nodiscard]] constexpr auto operator+(Left left, Right right) noexcept
 {
-    static_assert(measures_the_same<Left, Right>, "these two measure different things, and have no sum");
-    return combined<false>(left, right);
+    static_assert(detail::measures_the_same<Left, Right>, "these two measure different things, and have no sum");
+    return detail::combined<false>(left, right);
 }
 
 /// The exact difference, in the finer of both steps; it may be below zero.
-template <any_quantity Left, any_quantity Right> [[nodiscard]] constexpr auto operator-(Left left, Right right) noexcept
+template <detail::any_quantity Left, detail::any_quantity Right>
+[[nodiscard]] constexpr auto operator-(Left left, Right right) noexcept
 {
-    static_assert(measures_the_same<Left, Right>, "these two measure different things, and have no difference");
-    return combined<true>(left, right);
+    static_assert(detail::measures_the_same<Left, Right>, "these two measure different things, and have no difference");
+    return detail::combined<true>(left, right);
 }
 
 /// The opposite: -1500_rpm.
-template <any_quantity Amount> [[nodiscard]] constexpr auto operator-(Amount amount) noexcept
+template <detail::any_quantity Amount> [[nodiscard]] constexpr auto operator-(Amount amount) noexcept
 {
-    constexpr bool is_narrow = stays_below<typename Amount::rep, 1, (std::uint64_t{1} << 31U)>;
-    using rep = result_rep<is_narrow>;
+    constexpr bool is_narrow = detail::stays_below<typename Amount::rep, 1, (std::uint64_t{1} << 31U)>;
+    using rep = detail::result_rep<is_narrow>;
     using opposed = quantity<typename Amount::dimension, rep, typename Amount::scale>;
     if constexpr (is_narrow) {
         return opposed{-rep{amount.count()}};
     } else {
-        return opposed{opposite(amount.count())};
+        return opposed{detail::opposite(amount.count())};
     }
 }
 
+namespace detail {
+
 /// What has no unit neither compares with a quantity nor is added to it; taken in order to be refused in plain words.
-/// Internal.
 template <typename T>
 concept plain_number = std::is_arithmetic_v<T>;
-/// Internal.
 template <plain_number> inline constexpr bool has_unit = false;
 
-template <any_quantity Amount, plain_number Number> constexpr bool operator==(Amount, Number) noexcept
+} // namespace detail
+
+template <detail::any_quantity Amount, detail::plain_number Number> constexpr bool operator==(Amount, Number) noexcept
 {
-    static_assert(has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
     return false;
 }
-template <any_quantity Amount, plain_number Number> constexpr std::strong_ordering operator<=>(Amount, Number) noexcept
+template <detail::any_quantity Amount, detail::plain_number Number>
+constexpr std::strong_ordering operator<=>(Amount, Number) noexcept
 {
-    static_assert(has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
     return std::strong_ordering::equal;
 }
-template <any_quantity Amount, plain_number Number> constexpr Amount operator+(Amount amount, Number) noexcept
+template <detail::any_quantity Amount, detail::plain_number Number>
+constexpr Amount operator+(Amount amount, Number) noexcept
 {
-    static_assert(has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
     return amount;
 }
-template <any_quantity Amount, plain_number Number> constexpr Amount operator-(Amount amount, Number) noexcept
+template <detail::any_quantity Amount, detail::plain_number Number>
+constexpr Amount operator-(Amount amount, Number) noexcept
 {
-    static_assert(has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
     return amount;
 }
 
+namespace detail {
+
 /// A plain number that may scale a quantity.
-/// Internal.
 template <typename T>
 concept plain_integer = std::integral<T> and not std::same_as<std::remove_cv_t<T>, bool>;
 
 /// A plain number as the ends of 64 bits allow.
-/// Internal.
 template <plain_integer Integer> [[nodiscard]] constexpr std::int64_t as_factor(Integer integer) noexcept
 {
     return std::in_range<std::int64_t>(integer) ? static_cast<std::int64_t>(integer) : above_all;
 }
 
+} // namespace detail
+
 /// The multiple; of a literal, what a number known at run time amounts to: `n * 0.1_s`.
-template <any_quantity Amount, plain_integer Integer>
+template <detail::any_quantity Amount, detail::plain_integer Integer>
 [[nodiscard]] constexpr auto operator*(Amount amount, Integer times) noexcept
 {
-    constexpr bool is_narrow = largest_size<typename Amount::rep> <= 0xFFFFU and largest_size<Integer> <= 0x7FFFU;
-    using rep = result_rep<is_narrow>;
+    constexpr bool is_narrow =
+        detail::largest_size<typename Amount::rep> <= 0xFFFFU and detail::largest_size<Integer> <= 0x7FFFU;
+    using rep = detail::result_rep<is_narrow>;
     using multiple = quantity<typename Amount::dimension, rep, typename Amount::scale>;
     if constexpr (is_narrow) {
         return multiple{static_cast<rep>(rep{amount.count()} * rep{times})};
     } else {
         // Of -1 times an end for a number above 64 bits, the product would fit.
         bool const is_beyond = not std::in_range<std::int64_t>(times) and amount.count() < 0;
-        return multiple{product_of_counts(is_beyond ? below_all : amount.count(), as_factor(times))};
+        return multiple{
+            detail::product_of_counts(is_beyond ? detail::below_all : amount.count(), detail::as_factor(times))};
     }
 }
-template <any_quantity Amount, plain_integer Integer>
+template <detail::any_quantity Amount, detail::plain_integer Integer>
 [[nodiscard]] constexpr auto operator*(Integer times, Amount amount) noexcept
 {
     return amount * times;
 }
 
 /// No fraction of an amount: integers count its steps.
-template <any_quantity Amount, std::floating_point Number> constexpr Amount operator*(Amount amount, Number) noexcept
+template <detail::any_quantity Amount, std::floating_point Number>
+constexpr Amount operator*(Amount amount, Number) noexcept
 {
-    static_assert(has_unit<Number>, "an amount is multiplied by integers only: 3 * speed / 2");
+    static_assert(detail::has_unit<Number>, "an amount is multiplied by integers only: 3 * speed / 2");
     return amount;
 }
-template <any_quantity Amount, std::floating_point Number> constexpr Amount operator*(Number, Amount amount) noexcept
+template <detail::any_quantity Amount, std::floating_point Number>
+constexpr Amount operator*(Number, Amount amount) noexcept
 {
-    static_assert(has_unit<Number>, "an amount is multiplied by integers only: 3 * speed / 2");
+    static_assert(detail::has_unit<Number>, "an amount is multiplied by integers only: 3 * speed / 2");
     return amount;
 }
 
 /// The part in the same steps, the remainder cut off; in 64 bits, which tell a division by 0.
-template <any_quantity Amount, plain_integer Integer>
+template <detail::any_quantity Amount, detail::plain_integer Integer>
 [[nodiscard]] constexpr auto operator/(Amount amount, Integer divisor) noexcept
 {
     using part = quantity<typename Amount::dimension, std::int64_t, typename Amount::scale>;
     // In 32 bits where they do: a division of 64 bits is 500 bytes of a Cortex-M0+.
-    if constexpr (holds_all<typename Amount::rep, std::int32_t>(1) and holds_all<Integer, std::int32_t>(1)) {
+    if constexpr (detail::holds_all<typename Amount::rep, std::int32_t>(1) and
+                  detail::holds_all<Integer, std::int32_t>(1)) {
         std::int32_t const by{divisor};
         if (by == -1) {
             return part{-std::int64_t{amount.count()}};
@@ -342,8 +343,8 @@ template <any_quantity Amount, plain_integer Integer>
             return part{std::int64_t{std::int32_t{amount.count()} / by}};
         }
     }
-    bool const is_none = not std::in_range<std::int64_t>(divisor) and not is_out_of_range(amount.count());
-    return part{is_none ? 0 : quotient_of_counts(amount.count(), as_factor(divisor))};
+    bool const is_none = not std::in_range<std::int64_t>(divisor) and not detail::is_out_of_range(amount.count());
+    return part{is_none ? 0 : detail::quotient_of_counts(amount.count(), detail::as_factor(divisor))};
 }
 
 } // namespace rtuwire

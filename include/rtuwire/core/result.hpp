@@ -35,15 +35,15 @@ enum class errc : std::uint8_t;
 }
 [[noreturn]] inline void a_failed_result_has_an_error() noexcept { a_failed_result_has_no_value(errc{}); }
 
+namespace detail {
+
 /// Whether misuse is checked here: always in a constant expression.
-/// Internal.
 [[nodiscard, gnu::always_inline]] constexpr bool is_misuse_caught() noexcept
 {
     return RTUWIRE_CHECKED or __builtin_is_constant_evaluated();
 }
 
 /// A union has no copy and no end of a member's own, so that copying one shows whether the member is copied as bytes.
-/// Internal.
 template <typename T> union maybe_unset {
     char unset;
     T value;
@@ -51,7 +51,6 @@ template <typename T> union maybe_unset {
 
 /// Whether a result can hold a value. The union answers for almost all types, for a quarter of what the standard trait
 /// costs the compiler, which is asked only where the union says no.
-/// Internal.
 template <typename T>
 concept copied_as_bytes = requires(maybe_unset<T>& to, maybe_unset<T> const& from)
 {
@@ -60,10 +59,12 @@ concept copied_as_bytes = requires(maybe_unset<T>& to, maybe_unset<T> const& fro
 }
 or std::is_trivially_copyable_v<T>;
 
+} // namespace detail
+
 /// A value, or an errc. The value may be read only where `has_value()`; the top of this file says what
 /// happens otherwise.
 template <typename T> class [[nodiscard]] result {
-    static_assert(copied_as_bytes<T>, "a result holds trivially copyable values only");
+    static_assert(detail::copied_as_bytes<T>, "a result holds trivially copyable values only");
 
 public:
     using value_type = T;
@@ -73,7 +74,7 @@ public:
     /// A failure; `error` is not zero.
     constexpr result(errc error) noexcept : nothing_{}, error_{error}
     {
-        if (is_misuse_caught() and has_value()) {
+        if (detail::is_misuse_caught() and has_value()) {
             a_failed_result_has_an_error();
         }
     }
@@ -136,7 +137,7 @@ public:
 private:
     constexpr void require_value() const noexcept
     {
-        if (is_misuse_caught() and not has_value()) {
+        if (detail::is_misuse_caught() and not has_value()) {
             a_failed_result_has_no_value(error_);
         }
     }

@@ -19,9 +19,10 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// Up to `Capacity` characters, stored in place, without a terminating zero. It is written from its end to its start,
 /// as the digits of a number are found. What is too much is left out.
-/// Internal.
 template <std::size_t Capacity> class short_text {
 public:
     [[nodiscard]] constexpr std::size_t size() const noexcept { return Capacity - first_; }
@@ -68,7 +69,6 @@ private:
 };
 
 /// A tenth, the remainder cut off: by shifts, because a Cortex-M0+ would need 300 bytes for a division.
-/// Internal.
 template <std::unsigned_integral Size> [[nodiscard]] constexpr Size tenth_of(Size size) noexcept
 {
     Size tenth = static_cast<Size>((size >> 1U) + (size >> 2U));
@@ -83,7 +83,6 @@ template <std::unsigned_integral Size> [[nodiscard]] constexpr Size tenth_of(Siz
 }
 
 /// Sets a number before a text, with `decimals` digits behind its point.
-/// Internal.
 template <std::size_t Capacity, std::unsigned_integral Size>
 constexpr void precede_by_number(short_text<Capacity>& text, Size size, unsigned decimals = 0) noexcept
 {
@@ -98,14 +97,12 @@ constexpr void precede_by_number(short_text<Capacity>& text, Size size, unsigned
 }
 
 /// How a step is written: it counts `factor` in the last of `decimals` digits, followed by `zeros`.
-/// Internal.
 struct step_form {
     unsigned decimals{0};
     unsigned zeros{0};
     std::intmax_t factor{1};
 };
 
-/// Internal.
 template <typename Scale> [[nodiscard]] consteval step_form form_of() noexcept
 {
     step_form form{.factor = Scale::num};
@@ -122,7 +119,6 @@ template <typename Scale> [[nodiscard]] consteval step_form form_of() noexcept
 }
 
 /// The digits of the largest number of a type, and more than enough for a factor.
-/// Internal.
 template <typename Amount> [[nodiscard]] consteval std::size_t longest_text() noexcept
 {
     constexpr step_form form = form_of<typename Amount::scale>();
@@ -131,10 +127,12 @@ template <typename Amount> [[nodiscard]] consteval std::size_t longest_text() no
     return 1 + shown + 1 + form.zeros + 1 + sizeof(Amount::dimension::symbol) - 1;
 }
 
+} // namespace detail
+
 /// A text is its own; so a text can be shown where any value can.
 template <std::same_as<literal> Text> [[nodiscard]] constexpr literal text_of(Text text) noexcept { return text; }
 template <std::size_t Capacity>
-[[nodiscard]] constexpr short_text<Capacity> text_of(short_text<Capacity> const& text) noexcept
+[[nodiscard]] constexpr detail::short_text<Capacity> text_of(detail::short_text<Capacity> const& text) noexcept
 {
     return text;
 }
@@ -145,13 +143,13 @@ template <typename Dimension, typename Rep, typename Scale>
 [[nodiscard]] constexpr auto text_of(quantity<Dimension, Rep, Scale> amount) noexcept
 {
     using shown = quantity<Dimension, Rep, Scale>;
-    constexpr step_form form = form_of<typename shown::scale>();
+    constexpr detail::step_form form = detail::form_of<typename shown::scale>();
     static_assert(form.factor != 0, "this step is no decimal fraction: it has no digits");
     using number = std::conditional_t<sizeof(Rep) <= 4 and form.factor == 1, std::uint32_t, std::uint64_t>;
-    short_text<longest_text<shown>()> text;
+    detail::short_text<detail::longest_text<shown>()> text;
     literal const symbol{Dimension::symbol};
-    std::int64_t const count = bounded_product(amount.count(), form.factor);
-    if (sizeof(Rep) == 8 and is_out_of_range(count)) {
+    std::int64_t const count = detail::bounded_product(amount.count(), form.factor);
+    if (sizeof(Rep) == 8 and detail::is_out_of_range(count)) {
         text.precede("out of range");
         return text;
     }
@@ -162,7 +160,7 @@ template <typename Dimension, typename Rep, typename Scale>
     for (unsigned i = 0; i < form.zeros and count != 0; ++i) {
         text.precede('0');
     }
-    precede_by_number(text, static_cast<number>(magnitude(count)), form.decimals);
+    detail::precede_by_number(text, static_cast<number>(detail::magnitude(count)), form.decimals);
     if (count < 0) {
         text.precede('-');
     }

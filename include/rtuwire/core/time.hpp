@@ -26,10 +26,13 @@ inline void a_duration_is_at_most_35_minutes() noexcept {}
 inline void a_duration_is_not_negative() noexcept {}
 inline void a_duration_counts_whole_microseconds() noexcept {}
 
+namespace detail {
+
 /// A quantity that measures a span of time: core/quantity.hpp has them.
-/// Internal.
 template <typename T>
 concept amount_of_time = T::dimension::is_time;
+
+} // namespace detail
 
 /// A span of time in whole microseconds. One made by the functions below is at most `longest_duration`; the
 /// difference of two instants may be more.
@@ -42,7 +45,7 @@ struct duration {
     explicit constexpr duration(std::uint32_t count) noexcept : microseconds{count} {}
 
     /// A literal: 5_s, 0.02_s.
-    template <amount_of_time Amount> consteval duration(Amount amount) noexcept
+    template <detail::amount_of_time Amount> consteval duration(Amount amount) noexcept
     {
         using factor = std::ratio_divide<typename Amount::scale, std::micro>;
         if (amount.count() < 0) {
@@ -70,26 +73,31 @@ struct duration {
     friend constexpr duration operator*(duration left, std::uint32_t times) noexcept;
 };
 
+namespace detail {
+
 /// The longest duration: 35 minutes. Half the counter's range is 47 s more, so that an engine may add the
 /// time of its frame before a deadline looks as if it had passed.
-/// Internal.
 inline constexpr duration longest_duration{35U * 60U * 1'000'000U};
+
+} // namespace detail
 
 constexpr duration operator+(duration left, duration right) noexcept
 {
     std::uint32_t const sum = left.microseconds + right.microseconds;
-    bool const is_too_long = sum < left.microseconds or sum > longest_duration.microseconds;
-    return is_too_long ? longest_duration : duration{sum};
+    bool const is_too_long = sum < left.microseconds or sum > detail::longest_duration.microseconds;
+    return is_too_long ? detail::longest_duration : duration{sum};
 }
 
 constexpr duration operator*(duration left, std::uint32_t times) noexcept
 {
     std::uint64_t const product = std::uint64_t{left.microseconds} * times;
-    return product > longest_duration.microseconds ? longest_duration : duration{static_cast<std::uint32_t>(product)};
+    return product > detail::longest_duration.microseconds ? detail::longest_duration
+                                                           : duration{static_cast<std::uint32_t>(product)};
 }
 
+namespace detail {
+
 /// `count` times `Size` microseconds; at run time, the nearest duration.
-/// Internal.
 template <std::uint32_t Size, std::integral Count> [[nodiscard]] constexpr duration duration_of(Count count) noexcept
 {
     if (std::cmp_less(count, 0)) {
@@ -103,17 +111,19 @@ template <std::uint32_t Size, std::integral Count> [[nodiscard]] constexpr durat
     return duration{static_cast<std::uint32_t>(count) * Size};
 }
 
+} // namespace detail
+
 /// `count` microseconds, 0 to `longest_duration`. A number outside does not compile in a constant expression,
 /// and becomes the nearest duration at run time.
 template <std::integral Count> [[nodiscard]] constexpr duration microseconds(Count count) noexcept
 {
-    return duration_of<1>(count);
+    return detail::duration_of<1>(count);
 }
 
 /// `count` milliseconds, 0 to `longest_duration`, as for `microseconds`.
 template <std::integral Count> [[nodiscard]] constexpr duration milliseconds(Count count) noexcept
 {
-    return duration_of<1'000>(count);
+    return detail::duration_of<1'000>(count);
 }
 
 /// A point in time: the value of a free-running microsecond counter. Always made from a count: no value of
@@ -147,12 +157,13 @@ struct instant {
     return (now.microseconds - deadline.microseconds) < 0x8000'0000U;
 }
 
+namespace detail {
+
 /// The time at which deadlines that were named up to `before` are judged `now`: after a pause of more than half the
 /// counter, which makes what is over look as if it lay ahead, 35.5 minutes after `before`, when all of them were over.
 /// A pause of a whole turn of the counter shows as none: what was in force may then last once more, but no longer than
 /// it was set for. `before` may lie `ahead` of `now`: by the little that one look at a clock may be older than another;
 /// where it is the end of a frame that is being sent, by the time that this takes.
-/// Internal.
 [[nodiscard]] constexpr instant within_reach(instant before, instant now, duration ahead = duration{0x1'0000}) noexcept
 {
     constexpr std::uint32_t half = 0x8000'0000U;
@@ -161,7 +172,6 @@ struct instant {
 }
 
 /// Keeps a time that is over, by `at`, from looking as if it lay ahead some day. `at` is `within_reach` of the last call.
-/// Internal.
 constexpr void keep_over(instant& end, instant now, instant at) noexcept
 {
     if (reached(at, end)) {
@@ -169,12 +179,15 @@ constexpr void keep_over(instant& end, instant now, instant at) noexcept
     }
 }
 
+} // namespace detail
+
 /// When something has to happen next, or never.
 using deadline = std::optional<instant>;
 
+namespace detail {
+
 /// The earliest of several times, added one by one: the same as a `deadline`, without making one for each
 /// time. Always inlined, so that it stays in registers.
-/// Internal.
 class earliest {
 public:
     [[gnu::always_inline]] constexpr void add(instant at) noexcept
@@ -195,6 +208,8 @@ private:
     instant at_{0};
     bool is_set_{false};
 };
+
+} // namespace detail
 
 /// The one of two deadlines that comes first.
 [[nodiscard]] constexpr deadline earlier(deadline left, deadline right) noexcept

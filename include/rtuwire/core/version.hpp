@@ -62,8 +62,11 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// The same version for the language.
 inline constexpr int version = RTUWIRE_VERSION;
 
+namespace detail {
+
 /// Whether there is an operating system.
-/// Internal.
 inline constexpr bool has_system = RTUWIRE_HAS_SYSTEM != 0;
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -84,9 +84,13 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     }
 }
 
+namespace detail {
+
 /// Whether the system takes rates that have no code.
-/// Internal.
 inline constexpr bool takes_any_rate = RTUWIRE_TAKES_ANY_RATE == 1;
+
+} // namespace detail
+
 #undef RTUWIRE_TAKES_ANY_RATE
 
 /// Whether a device may be opened at a rate; whether its driver keeps it only `open` tells. From 50 bit/s on: below, a frame
@@ -94,11 +98,12 @@ inline constexpr bool takes_any_rate = RTUWIRE_TAKES_ANY_RATE == 1;
 [[nodiscard]] inline bool is_bit_rate(std::uint32_t bits_per_second) noexcept
 {
     constexpr std::uint32_t lowest = 50;
-    return bits_per_second >= lowest and (takes_any_rate or speed_code(bits_per_second));
+    return bits_per_second >= lowest and (detail::takes_any_rate or speed_code(bits_per_second));
 }
 
+namespace detail {
+
 /// Whether a rate is within 2 % of another: two ends of a line then understand each other.
-/// Internal.
 [[nodiscard]] constexpr bool is_near_rate(std::uint32_t is, std::uint32_t asked) noexcept
 {
     std::uint64_t const away = is > asked ? is - asked : asked - is;
@@ -106,7 +111,6 @@ inline constexpr bool takes_any_rate = RTUWIRE_TAKES_ANY_RATE == 1;
 }
 
 /// The settings of a line as Linux has them (`struct termios2`).
-/// Internal.
 struct kernel_line {
 #ifdef __mips__
     static constexpr unsigned characters = 23;
@@ -128,15 +132,12 @@ struct kernel_line {
 };
 
 /// The request that gets it (TCGETS2).
-/// Internal.
 inline constexpr unsigned long get_kernel_line = _IOR('T', 0x2A, kernel_line);
 
 /// The request that sets it (TCSETS2).
-/// Internal.
 inline constexpr unsigned long set_kernel_line = _IOW('T', 0x2B, kernel_line);
 
 /// Asks a driver for a rate that has no code; what came of it `kept_rate` tells.
-/// Internal.
 template <typename Driver> void set_any_rate(Driver const& call, std::uint32_t bits_per_second) noexcept
 {
     kernel_line line{};
@@ -149,7 +150,6 @@ template <typename Driver> void set_any_rate(Driver const& call, std::uint32_t b
 }
 
 /// The rate of a device whose settings were just read; 0 where they only say that it is another one than was asked.
-/// Internal.
 template <typename Driver>
 [[nodiscard]] std::uint32_t kept_rate(Driver const& call, termios const& kept, std::uint32_t asked) noexcept
 {
@@ -161,7 +161,6 @@ template <typename Driver>
 }
 
 /// What a line was set to, its rate included: <termios.h> alone forgets one without a code.
-/// Internal.
 class line_before {
 public:
     /// Whether it could be read.
@@ -185,5 +184,7 @@ private:
     kernel_line line_{};
     bool has_rate_{false};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

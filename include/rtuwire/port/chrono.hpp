@@ -43,8 +43,9 @@ template <typename Rep, typename Period>
     return std::chrono::steady_clock::now().time_since_epoch();
 }
 
+namespace detail {
+
 /// A thread's looks at the clock of the ports, in whole microseconds.
-/// Internal.
 class clock_looks {
 public:
     /// Looks now.
@@ -63,8 +64,13 @@ private:
     }
 };
 
+} // namespace detail
+
 /// Now, on the clock of `host_time`: the clock of the ports.
-[[nodiscard]] inline instant steady_now() noexcept { return instant{static_cast<std::uint32_t>(clock_looks::look())}; }
+[[nodiscard]] inline instant steady_now() noexcept
+{
+    return instant{static_cast<std::uint32_t>(detail::clock_looks::look())};
+}
 
 /// A deadline on the clock of `steady_now`, for a port that waits: make one where its call begins, and ask that before each
 /// wait, also after one that a signal broke off. An instant alone looks as if it lay ahead once it has been over for 35.8
@@ -74,12 +80,12 @@ private:
 class host_deadline {
 public:
     /// Implicit: whoever waits takes it, and is given an instant.
-    host_deadline(instant until) noexcept : at_{nearest(until, clock_looks::latest())} {}
+    host_deadline(instant until) noexcept : at_{nearest(until, detail::clock_looks::latest())} {}
 
     /// The time left now; zero when it has passed.
     [[nodiscard]] duration left() const noexcept
     {
-        std::int64_t const now = clock_looks::look();
+        std::int64_t const now = detail::clock_looks::look();
         return now < at_ ? duration{static_cast<std::uint32_t>(at_ - now)} : duration{};
     }
 

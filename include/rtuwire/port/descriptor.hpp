@@ -3,7 +3,6 @@
 //
 // A POSIX file descriptor of a serial line: owned, read and written with deadlines. Turns every failure into
 // an errc, and reports a vanished device at once and at each further call.
-// Internal: may change with any version.
 #pragma once
 
 #include <cerrno>
@@ -23,6 +22,8 @@
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The error for a failed system call on a device.
 [[nodiscard]] inline errc device_error(int system_error) noexcept
@@ -191,5 +192,7 @@ private:
 
     int number_{-1};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // A call of an open device's driver. What makes such calls takes any callable of this form, so that tests have drivers.
-// Internal: may change with any version.
 #pragma once
 
 #include <sys/ioctl.h>
@@ -10,6 +9,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Gets or sets what the driver of an open device has; errno says why where it does not.
 struct driver_call {
@@ -19,5 +20,7 @@ struct driver_call {
         return ::ioctl(device, request, &settings) == 0;
     }
 };
+
+} // namespace detail
 
 } // namespace rtuwire

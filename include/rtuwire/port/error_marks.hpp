@@ -3,7 +3,6 @@
 //
 // What a terminal delivers when it marks damaged bytes (termios, PARMRK): FF 00 x is a byte x with a parity
 // or framing error, FF 00 00 also a break, and FF FF is an undamaged byte FF.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +12,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Removes the marks from a stream of bytes, in chunks of any size.
 class error_marks {
@@ -66,5 +67,7 @@ private:
 
     state state_{state::outside};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

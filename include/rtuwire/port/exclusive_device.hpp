@@ -3,7 +3,6 @@
 //
 // A serial device locked against other programs. Undoes what it changed, in whichever way it closes: the
 // kernel keeps the flag of TIOCEXCL as long as any process has the device open.
-// Internal: may change with any version.
 #pragma once
 
 #include <cerrno>
@@ -21,6 +20,8 @@
 #include <rtuwire/port/transceiver.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The descriptor of a serial device, and what was changed on that device. Can be moved. When it is closed,
 /// assigned to or destroyed, the device is unlocked, and has its old settings again, those of the line unless
@@ -105,5 +106,7 @@ private:
     bool is_locked_{false};
     bool restores_{false};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

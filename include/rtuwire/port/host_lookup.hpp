@@ -3,7 +3,6 @@
 //
 // The addresses of a host, by its name or number, within a time limit. The system's own call knows no limit: it waits for
 // a name server for up to a minute, so a name is looked up in a thread, which is left behind when the time is over.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -28,6 +27,8 @@
 #include <rtuwire/port/standard_places.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// One look-up: what is asked, and what was found. Made by `std::make_shared`. The addresses live as long as this.
 class host_lookup : public std::enable_shared_from_this<host_lookup> {
@@ -142,5 +143,7 @@ private:
     descriptor is_over_{};
     descriptor says_so_{};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -41,18 +41,19 @@ public:
     {
         close();
         device_ = device;
-        standard_places const kept;
-        exclusive_device opened{descriptor{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)}};
+        detail::standard_places const kept;
+        detail::exclusive_device opened{
+            detail::descriptor{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)}};
         if (not opened.is_open()) {
-            return failed(device_error(errno), errno);
+            return failed(detail::device_error(errno), errno);
         }
-        if (not standard_places::is_above(opened.number())) {
+        if (not detail::standard_places::is_above(opened.number())) {
             return failed(errc::device_failed);
         }
         if (::isatty(opened.number()) == 0) {
             return failed(errc::device_not_serial);
         }
-        timed_reader reader;
+        detail::timed_reader reader;
         if (auto const wanted = settings.waits_in_read ? reader.open(device, opened.number()) : result<void>{};
             not wanted) {
             return failed(wanted.error());
@@ -61,15 +62,15 @@ public:
             return failed(locked.error(), errno);
         }
         std::string why;
-        if (auto const set = apply_line(opened.number(), settings, why, marks_errors); not set) {
+        if (auto const set = detail::apply_line(opened.number(), settings, why, detail::marks_errors); not set) {
             return failed(set.error(), why);
         }
         if (auto const set = opened.set_transceiver(settings.rs485, settings.transceiver, why); not set) {
             return failed(set.error(), why);
         }
-        has_low_latency_ = request_low_latency(opened.number());
-        timing_ = is_usb_device(opened.number()) ? line_timing::usb(settings.bits_per_second, settings.format)
-                                                 : line_timing::host(settings.bits_per_second, settings.format);
+        has_low_latency_ = detail::request_low_latency(opened.number());
+        timing_ = detail::is_usb_device(opened.number()) ? line_timing::usb(settings.bits_per_second, settings.format)
+                                                         : line_timing::host(settings.bits_per_second, settings.format);
         ::tcflush(opened.number(), TCIOFLUSH);
         opened.keep_settings();
         opened_ = std::move(opened);
@@ -132,7 +133,7 @@ public:
         }
         host_deadline const end{until}; // once: it may be read several times
         while (not place.empty()) {
-            error_marks::part const part = unmark(place);
+            detail::error_marks::part const part = unmark(place);
             has_receive_error_ = has_receive_error_ or part.has_error;
             if (part.size > 0 or part.has_error) {
                 return place.first(part.size);
@@ -178,20 +179,20 @@ private:
     }
 
     /// The next bytes of those that the device delivered.
-    error_marks::part unmark(byte_span place) noexcept
+    detail::error_marks::part unmark(byte_span place) noexcept
     {
         byte_view const unread = byte_view{input_}.subspan(first_, last_ - first_);
-        error_marks::part const part = marks_.take(unread, place);
+        detail::error_marks::part const part = marks_.take(unread, place);
         first_ += part.taken;
         return part;
     }
 
-    exclusive_device opened_;
-    timed_reader reader_;
+    detail::exclusive_device opened_;
+    detail::timed_reader reader_;
     std::array<std::byte, 512> input_{}; ///< from `first_` to `last_` not passed on yet
     std::size_t first_{0};
     std::size_t last_{0};
-    error_marks marks_{};
+    detail::error_marks marks_{};
     bool has_receive_error_{false};
     bool has_low_latency_{false};
     line_timing timing_{line_timing::host(19'200, character_format::even_8_1)};

@@ -33,9 +33,9 @@ public:
     result<void> open()
     {
         close();
-        standard_places const kept;
-        descriptor near{::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)};
-        if (not standard_places::is_above(near.number())) {
+        detail::standard_places const kept;
+        detail::descriptor near{::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)};
+        if (not detail::standard_places::is_above(near.number())) {
             return errc::device_failed;
         }
         char path[64]{};
@@ -45,12 +45,12 @@ public:
         if (not is_ready) {
             return errc::device_failed;
         }
-        descriptor far{::open(path, O_RDWR | O_NOCTTY | O_CLOEXEC)};
-        if (not standard_places::is_above(far.number())) {
+        detail::descriptor far{::open(path, O_RDWR | O_NOCTTY | O_CLOEXEC)};
+        if (not detail::standard_places::is_above(far.number())) {
             return errc::device_failed;
         }
         std::string why;
-        if (auto const set = apply_line(far.number(), {}, why); not set) {
+        if (auto const set = detail::apply_line(far.number(), {}, why); not set) {
             return set;
         }
         near_ = std::move(near);
@@ -105,8 +105,8 @@ private:
 #endif
     }
 
-    descriptor near_;
-    descriptor far_;
+    detail::descriptor near_;
+    detail::descriptor far_;
     std::string path_;
     clock::time_point next_look_{clock::now()}; ///< counts 64 bits: nobody may read for an hour
 };

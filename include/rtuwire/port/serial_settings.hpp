@@ -47,12 +47,12 @@ struct serial_settings {
     bool waits_in_read{false};
 };
 
+namespace detail {
+
 /// How long `read` waits by the terminal's timer: its least step.
-/// Internal.
 inline constexpr duration terminal_timer = milliseconds(100);
 
 /// The control flags of a character format: 8 data bits, parity, stop bits, receiver on, no modem lines.
-/// Internal.
 [[nodiscard]] inline tcflag_t control_flags(character_format format) noexcept
 {
     tcflag_t const common = CS8 | CREAD | CLOCAL;
@@ -66,7 +66,6 @@ inline constexpr duration terminal_timer = milliseconds(100);
 }
 
 /// A format as people write it: data bits, parity, stop bits.
-/// Internal.
 [[nodiscard]] inline std::string format_text(tcflag_t flags)
 {
     tcflag_t const size = flags & CSIZE;
@@ -77,21 +76,18 @@ inline constexpr duration terminal_timer = milliseconds(100);
 
 /// The driver's part of a device number, as Linux encodes it. <sys/sysmacros.h> has a function for it, but
 /// defines macros called `major` and `minor`.
-/// Internal.
 [[nodiscard]] constexpr unsigned device_major(std::uint64_t number) noexcept
 {
     return static_cast<unsigned>(number >> 8U & 0xFFFU) | static_cast<unsigned>(number >> 32U & 0xFFFF'F000U);
 }
 
 /// The device's part of it.
-/// Internal.
 [[nodiscard]] constexpr unsigned device_minor(std::uint64_t number) noexcept
 {
     return static_cast<unsigned>(number & 0xFFU) | static_cast<unsigned>(number >> 12U & 0xFFFF'FF00U);
 }
 
 /// Whether a device is a pseudo-terminal, which has no wire and so no parity.
-/// Internal.
 [[nodiscard]] inline bool is_pseudo_terminal([[maybe_unused]] int device) noexcept
 {
 #ifdef __linux__
@@ -109,7 +105,6 @@ inline constexpr duration terminal_timer = milliseconds(100);
 }
 
 /// Whether a place among the devices of sysfs is behind a USB bus: one of its folders is a bus's, `usb1` and the like.
-/// Internal.
 [[nodiscard]] constexpr bool is_behind_usb(std::string_view place) noexcept
 {
     constexpr std::string_view bus = "/usb";
@@ -126,7 +121,6 @@ inline constexpr duration terminal_timer = milliseconds(100);
 /// Whether an open device is behind a USB bus, as the kernel's driver says in sysfs (Linux); false on other systems, and
 /// where that is not mounted. What a name says, `/dev/ttyUSB0`, does not count: udev or a user may have given another.
 /// `devices` is the folder of the links to the places of all character devices.
-/// Internal.
 [[nodiscard]] inline bool is_usb_device([[maybe_unused]] int device,
                                         [[maybe_unused]] std::string const& devices = "/sys/dev/char")
 {
@@ -146,13 +140,11 @@ inline constexpr duration terminal_timer = milliseconds(100);
 }
 
 /// Input flags that let a device mark the bytes that arrived damaged; `error_marks` reads the marks.
-/// Internal.
 inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
 
 /// Sets up an open device; bytes pass unchanged, except as the input flags say. Errors: `device_not_serial`,
 /// `device_setting_refused` when the device does not keep the bit rate to 2 %, the character format or the input flags;
 /// `why` then says what it kept.
-/// Internal.
 [[nodiscard]] inline result<void> apply_line(int device, serial_settings const& settings, std::string& why,
                                              tcflag_t input_flags = 0)
 {
@@ -199,7 +191,6 @@ inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
 
 /// Asks a driver to pass bytes on at once, by a call that gets or sets its flags. Whether it does, as it says itself:
 /// some accept the request and ignore it.
-/// Internal.
 template <typename Driver> bool set_low_latency([[maybe_unused]] Driver&& call) noexcept
 {
 #if defined(TIOCGSERIAL) && defined(ASYNC_LOW_LATENCY)
@@ -216,7 +207,8 @@ template <typename Driver> bool set_low_latency([[maybe_unused]] Driver&& call) 
 }
 
 /// The same of an open device.
-/// Internal.
 [[nodiscard]] inline bool request_low_latency(int device) noexcept { return set_low_latency(driver_call{device}); }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -21,14 +21,14 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// An enumeration of a program's own that only happens to be as wide as a register.
-/// Internal.
 template <typename T>
 concept nameless_enumeration = register_enumeration<T> and enumerators<T>
 .size() == 0;
 
 /// Whether a value shows by itself.
-/// Internal.
 template <typename T>
 concept has_text = not nameless_enumeration<T> and requires(T const& value)
 {
@@ -37,8 +37,10 @@ concept has_text = not nameless_enumeration<T> and requires(T const& value)
         } -> std::convertible_to<std::string_view>;
 };
 
+} // namespace detail
+
 /// Shows a value as its text, in the width that the stream is set to.
-template <has_text T> std::ostream& operator<<(std::ostream& out, T const& value)
+template <detail::has_text T> std::ostream& operator<<(std::ostream& out, T const& value)
 {
     auto const text = text_of(value);
     return out << std::string_view{text};
@@ -66,9 +68,13 @@ using rtuwire::operator<<;
 namespace cia402 {
 using rtuwire::operator<<;
 }
+namespace detail {
+using rtuwire::operator<<;
+}
+
+namespace detail {
 
 /// A formatter of text that takes any has_text value.
-/// Internal.
 template <typename Formatter> struct formatter_of_texts : Formatter {
     template <has_text T, typename Context> auto format(T const& value, Context& context) const
     {
@@ -77,20 +83,22 @@ template <typename Formatter> struct formatter_of_texts : Formatter {
     }
 };
 
+} // namespace detail
+
 } // namespace rtuwire
 
 #if defined(__cpp_lib_format)
-template <rtuwire::has_text T>
-struct std::formatter<T, char> : rtuwire::formatter_of_texts<std::formatter<std::string_view, char>> {};
+template <rtuwire::detail::has_text T>
+struct std::formatter<T, char> : rtuwire::detail::formatter_of_texts<std::formatter<std::string_view, char>> {};
 #if defined(__cpp_lib_format_ranges)
 // A literal, and a text, are no ranges of characters.
-template <rtuwire::has_text T>
+template <rtuwire::detail::has_text T>
     requires(requires(T const& text) { text.begin(); })
 inline constexpr auto std::format_kind<T> = std::range_format::disabled;
 #endif
 #endif
 
 #if defined(FMT_VERSION)
-template <rtuwire::has_text T>
-struct fmt::formatter<T, char> : rtuwire::formatter_of_texts<fmt::formatter<fmt::string_view, char>> {};
+template <rtuwire::detail::has_text T>
+struct fmt::formatter<T, char> : rtuwire::detail::formatter_of_texts<fmt::formatter<fmt::string_view, char>> {};
 #endif

@@ -3,7 +3,6 @@
 //
 // Keeps a serial line off the descriptor numbers 0, 1 and 2. A program may be started with these closed; the
 // line would get one of them, and what the program prints would go to the drives.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -16,6 +15,8 @@
 #include <rtuwire/port/descriptor.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// While it lives, every file opened gets a number above those of standard input, output and error output,
 /// even where these are closed: /dev/null fills them meanwhile. On a system without /dev/null, check with
@@ -39,5 +40,7 @@ public:
 private:
     std::array<descriptor, 3> held_{};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // A TCP connection made within a time limit, and set up for short frames that must not come late.
-// Internal: may change with any version.
 #pragma once
 
 #include <cerrno>
@@ -23,6 +22,8 @@
 #include <rtuwire/port/standard_places.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The error for a connection that could not be made.
 [[nodiscard]] inline errc connect_error(int system_error) noexcept
@@ -140,5 +141,7 @@ inline void set_up_connection(int socket) noexcept
     }
     return {};
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -46,16 +46,16 @@ public:
         bool const is_number_6 = host.find(':') != std::string::npos;
         device_ = (is_number_6 ? "[" + host + "]:" : host + ":") + std::to_string(port);
         host_deadline const until{now() + time_limit};
-        auto const lookup = std::make_shared<host_lookup>(host, port);
+        auto const lookup = std::make_shared<detail::host_lookup>(host, port);
         if (auto const found = lookup->run(until); not found) {
             return failed(found.error(), "no such host", lookup->why());
         }
         int failure = 0;
-        line_ = connect_any(lookup->first(), until, failure);
+        line_ = detail::connect_any(lookup->first(), until, failure);
         if (line_.is_open()) {
             return {};
         }
-        return failed(connect_error(failure), "no connection", std::strerror(failure));
+        return failed(detail::connect_error(failure), "no connection", std::strerror(failure));
     }
 
     void close() noexcept { line_.close(); }
@@ -127,7 +127,7 @@ private:
         return failed(error, "the connection is gone", has_cause ? std::strerror(cause) : "closed by the other end");
     }
 
-    descriptor line_{};
+    detail::descriptor line_{};
     std::string device_{};
     std::string failure_{};
 };

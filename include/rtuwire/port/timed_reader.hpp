@@ -3,7 +3,6 @@
 //
 // A terminal whose `read` itself waits for bytes, by the terminal's own timer (termios: VMIN 0, VTIME): one system call
 // where a poll and a read are two.
-// Internal: may change with any version.
 #pragma once
 
 #include <cerrno>
@@ -22,6 +21,8 @@
 #include <rtuwire/port/standard_places.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// A second descriptor of an open serial device, in blocking mode: the first one stays as it is, so that a write still
 /// ends at its deadline. Can be moved. A closed one never waits.
@@ -81,5 +82,7 @@ private:
 
     descriptor line_{};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -43,9 +43,10 @@ struct transceiver_settings {
     std::optional<bool> receives_while_sending{}; ///< the line's echo: see `client_options::has_line_echo`
 };
 
+namespace detail {
+
 /// What was changed of a driver's settings, to be put back. A call gets or sets them: `call(request, settings)` returns
 /// whether it did, and sets errno where not.
-/// Internal.
 class transceiver_control {
 public:
     /// Sets what was asked for. `device_setting_refused` where that was required, or asked of a driver that switches, and
@@ -183,5 +184,7 @@ private:
     std::optional<serial_rs485> before_{};
 #endif
 };
+
+} // namespace detail
 
 } // namespace rtuwire

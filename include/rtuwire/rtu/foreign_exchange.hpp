@@ -5,7 +5,6 @@
 // its response may come, which the length rules of requests would misread. It is not certain to come: the
 // next frame of that unit and function may be a request again. A receiver of responses needs none of this,
 // and it costs nothing there.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +16,8 @@
 #include <rtuwire/wire/functions.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// What the length rules say of a frame with these bytes.
 struct end_hint {
@@ -108,5 +109,7 @@ private:
     std::uint8_t function_{exception_bit};
     bool is_response_{false};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Where a frame begins in the framer's memory.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +11,8 @@
 #include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// At the start. `Longest` is the size of the longest frame, 256 at most.
 template <std::size_t Front, std::size_t Longest = max_adu_size> class frame_place {
@@ -38,5 +39,7 @@ public:
 private:
     std::uint16_t begin_{0};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -3,7 +3,6 @@
 //
 // When a receiver sums a frame: byte by byte as they arrive, so that little is left to do at the last one, or all at
 // once at the end, where the CRC's form is fastest over many bytes.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +14,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Byte by byte.
 template <crc_form Form = default_crc_form> class frame_sum {
@@ -70,5 +71,7 @@ public:
 private:
     bool is_right_{false};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

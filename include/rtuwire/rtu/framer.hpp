@@ -38,14 +38,14 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Splits a stream of bytes into frames. Call `receive` with the bytes that arrived until all are taken, and
 /// `poll_frame` after each call; call `advance` when time has passed, at the latest at `poll_deadline`.
 /// Ignores everything until the line has been silent once.
-template <direction Way, typename Line = stored<line_timing>> class framer {
-    using cutter = detail::frame_cutter<Way, frame_place<0>, Line>;
+template <detail::direction Way, typename Line = detail::stored<line_timing>> class framer {
+    using cutter = detail::frame_cutter<Way, detail::frame_place<0>, Line>;
 
 public:
     explicit constexpr framer(line_timing const& timing) noexcept : memory_{timing} {}
 
     /// For compile-time timing. Zero-initialised, so a `constinit` framer lives in .bss.
-    constexpr framer() noexcept requires(is_constant<Line>) = default;
+    constexpr framer() noexcept requires(detail::is_constant<Line>) = default;
 
     /// Takes bytes that had arrived by `now`, in chunks of any size, up to the end of one frame; returns how
     /// many were taken. The bytes after that frame belong to the next call.
@@ -65,7 +65,7 @@ public:
     /// When `advance` has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        earliest next;
+        detail::earliest next;
         cutter_.add_to(memory_, next);
         return next;
     }
@@ -82,7 +82,7 @@ public:
         if (wrong != errc::none) {
             return wrong;
         }
-        if (Way == direction::response and not cutter_.matches_size_hint()) {
+        if (Way == detail::direction::response and not cutter_.matches_size_hint()) {
             return errc::wrong_length;
         }
         return cutter_.frame(memory_);
@@ -115,13 +115,13 @@ public:
 
     /// Records a request to another unit, whose response may follow.
     constexpr void note_foreign_request(std::uint8_t unit, std::uint8_t function) noexcept
-        requires(Way == direction::request)
+        requires(Way == detail::direction::request)
     {
         cutter_.note_foreign_request(unit, function);
     }
 
     /// Whether the last frame ended at the size of the response that `note_foreign_request` announced.
-    [[nodiscard]] constexpr bool is_foreign_response() const noexcept requires(Way == direction::request)
+    [[nodiscard]] constexpr bool is_foreign_response() const noexcept requires(Way == detail::direction::request)
     {
         return cutter_.is_foreign_response();
     }

@@ -17,12 +17,15 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// `none_8_1`, of 10 bits.
 enum class character_format : std::uint8_t { even_8_1, odd_8_1, none_8_1, none_8_2 };
 
+namespace detail {
+
 /// Bits of one character, start bit included: 10 or 11.
-/// Internal.
 [[nodiscard]] constexpr std::uint32_t bits_per_character(character_format format) noexcept
 {
     return format == character_format::none_8_1 ? 10 : 11;
 }
+
+} // namespace detail
 
 /// The times of one line. All are rounded up to whole microseconds.
 class line_timing {
@@ -131,7 +134,7 @@ private:
     static constexpr duration bit_times(std::uint32_t half_characters, std::uint32_t bits_per_second,
                                         character_format format) noexcept
     {
-        std::uint32_t const bits_by_million = half_characters * bits_per_character(format) * 500'000U;
+        std::uint32_t const bits_by_million = half_characters * detail::bits_per_character(format) * 500'000U;
         return duration{(bits_by_million + bits_per_second - 1) / bits_per_second};
     }
 

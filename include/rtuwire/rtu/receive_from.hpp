@@ -13,9 +13,10 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// A port that knows which bytes arrived damaged: `read` then stops before one, leaves it out, and
 /// `take_receive_error` reports it, once. Other ports only read.
-/// Internal.
 template <typename T>
 concept reports_receive_errors = requires(T& port)
 {
@@ -23,6 +24,8 @@ concept reports_receive_errors = requires(T& port)
         port.take_receive_error()
         } -> std::same_as<bool>;
 };
+
+} // namespace detail
 
 /// Passes to an engine what has arrived at a port, or arrives until `until`. `place` is working memory.
 /// Errors: those of the port. A port whose `take_receive_error()` reports a damaged byte before which `read` stopped, once,
@@ -35,7 +38,7 @@ result<void> receive_from(Port& port, Engine& engine, byte_span place, instant u
         return bytes.error();
     }
     engine.receive(*bytes, port.now());
-    if constexpr (reports_receive_errors<Port>) {
+    if constexpr (detail::reports_receive_errors<Port>) {
         if (port.take_receive_error()) {
             engine.receive_error(port.now());
         }

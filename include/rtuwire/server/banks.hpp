@@ -96,7 +96,7 @@ public:
         }
         std::uint16_t const* word = words_.data() + offset(start);
         for (; count > 0; --count) {
-            put_u16(at, *word++);
+            detail::put_u16(at, *word++);
             at += 2;
         }
         return errc::none;
@@ -116,7 +116,7 @@ private:
 
     constexpr bool holds(std::uint16_t start, std::size_t count) const noexcept
     {
-        return start >= first_ and is_address_range(start, count) and count + offset(start) <= Count;
+        return start >= first_ and detail::is_address_range(start, count) and count + offset(start) <= Count;
     }
 
     std::uint16_t first_{0};
@@ -141,7 +141,7 @@ public:
     /// The bit at an address that the bank contains; false elsewhere.
     [[nodiscard]] constexpr bool get(std::uint16_t address) const noexcept
     {
-        return contains(address) and bit_at(bytes_, offset(address));
+        return contains(address) and detail::bit_at(bytes_, offset(address));
     }
 
     /// Switches the bit at an address; `illegal_data_address` where the bank has none.
@@ -150,7 +150,7 @@ public:
         if (not contains(address)) {
             return errc::illegal_data_address;
         }
-        put_bit(bytes_, offset(address), value);
+        detail::put_bit(bytes_, offset(address), value);
         return {};
     }
 
@@ -169,14 +169,14 @@ public:
     /// Puts bits that `check_read` allows, and no others, into `out`, which has room for them and is 0.
     constexpr errc read(std::uint16_t start, std::size_t count, byte_span out) noexcept
     {
-        copy_bits(out, 0, bytes_, offset(start), count);
+        detail::copy_bits(out, 0, bytes_, offset(start), count);
         return errc::none;
     }
 
     /// Stores bits that `check_write` allows.
     constexpr errc write(std::uint16_t start, bit_view values) noexcept
     {
-        copy_bits(bytes_, offset(start), values.bytes(), 0, values.size());
+        detail::copy_bits(bytes_, offset(start), values.bytes(), 0, values.size());
         return errc::none;
     }
 
@@ -185,11 +185,11 @@ private:
 
     constexpr bool holds(std::uint16_t start, std::size_t count) const noexcept
     {
-        return start >= first_ and is_address_range(start, count) and count + offset(start) <= Count;
+        return start >= first_ and detail::is_address_range(start, count) and count + offset(start) <= Count;
     }
 
     std::uint16_t first_{0};
-    std::array<std::byte, bytes_of_bits(Count)> bytes_{};
+    std::array<std::byte, detail::bytes_of_bits(Count)> bytes_{};
 };
 
 } // namespace rtuwire

@@ -15,9 +15,10 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// Sends the response that is ready, if there is one; a port that writes at the line's speed has a second more than the
 /// server's own time limit, which counts the characters. Errors: those of the port.
-/// Internal.
 template <typename Server, typename Port> result<void> send_response(Server& node, Port& port)
 {
     constexpr duration write_limit = milliseconds(1'000);
@@ -32,7 +33,6 @@ template <typename Server, typename Port> result<void> send_response(Server& nod
 
 /// Reads the bytes that have arrived or arrive within `time_limit`, lets `serve(now)` execute a request, and sends what
 /// the server has to say.
-/// Internal.
 template <typename Server, typename Port, typename Serve>
 result<void> serve_pass(Server& node, Port& port, duration time_limit, Serve&& serve)
 {
@@ -53,20 +53,22 @@ result<void> serve_pass(Server& node, Port& port, duration time_limit, Serve&& s
     return send_response(node, port);
 }
 
+} // namespace detail
+
 /// Reads the bytes that have arrived or arrive within `time_limit`, and responds to a request. The port
 /// must not echo what is sent: the response to function 06 looks like its request. Errors: those of the port.
 template <typename Diagnostics, typename Functions, typename Port, typename Bank>
-result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, Bank& bank, duration time_limit)
+result<void> serve_once(detail::basic_server<Diagnostics, Functions>& node, Port& port, Bank& bank, duration time_limit)
 {
-    return serve_pass(node, port, time_limit, [&](instant at) { node.serve(bank, at); });
+    return detail::serve_pass(node, port, time_limit, [&](instant at) { node.serve(bank, at); });
 }
 
 /// The same for a server of several units, which knows its banks.
 template <typename Diagnostics, typename Functions, typename... Entries, typename Port>
-result<void> serve_once(basic_server<Diagnostics, Functions, unit_set<Entries...>>& node, Port& port,
+result<void> serve_once(detail::basic_server<Diagnostics, Functions, detail::unit_set<Entries...>>& node, Port& port,
                         duration time_limit)
 {
-    return serve_pass(node, port, time_limit, [&](instant now) { node.serve(now); });
+    return detail::serve_pass(node, port, time_limit, [&](instant now) { node.serve(now); });
 }
 
 } // namespace rtuwire

@@ -33,9 +33,10 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// A register of a table. Its words may be no value of it (a floating point number that is none) in a bank of plain
 /// words.
-/// Internal.
 template <auto const& R> struct typed_place {
     static constexpr std::uint16_t address = R.address;
     static constexpr std::size_t size = R.word_count;
@@ -46,7 +47,6 @@ template <auto const& R> struct typed_place {
 };
 
 /// A word at an address.
-/// Internal.
 struct word_place {
     static constexpr std::size_t size = 1;
     std::uint16_t address;
@@ -57,7 +57,6 @@ struct word_place {
 };
 
 /// Whether the words of a request from `index` on, which go to `address`, are this register.
-/// Internal.
 template <typename Place>
 [[nodiscard]] constexpr bool holds(Place const& place, std::uint32_t address, register_view words,
                                    std::size_t index) noexcept
@@ -67,7 +66,6 @@ template <typename Place>
 
 /// Whether the word of a request at `index`, which goes to `address`, is of this register, and the request has not all of
 /// its words. Half a register passes no check and calls nothing, so it is not written: exception 02, as in a typed bank.
-/// Internal.
 template <typename Place>
 [[nodiscard]] constexpr bool splits([[maybe_unused]] Place const& place, [[maybe_unused]] std::uint32_t address,
                                     [[maybe_unused]] register_view words, [[maybe_unused]] std::size_t index) noexcept
@@ -81,7 +79,6 @@ template <typename Place>
 }
 
 /// Whether the words of a request from `index` on are this register, and no value of it.
-/// Internal.
 template <typename Place>
 [[nodiscard]] constexpr bool holds_no_value(Place const& place, std::uint32_t address, register_view words,
                                             std::size_t index) noexcept
@@ -90,10 +87,8 @@ template <typename Place>
 }
 
 /// Whether a callable takes a value.
-/// Internal.
 template <typename Callable, typename Value> inline constexpr bool takes = std::is_invocable_v<Callable, Value>;
 /// Whether a callable that takes a value returns a type.
-/// Internal.
 template <typename Returned, typename Callable, typename Value> inline constexpr bool gives = true;
 template <typename Returned, typename Callable, typename Value>
     requires takes<Callable, Value>
@@ -101,7 +96,6 @@ inline constexpr bool gives<Returned, Callable, Value> =
     std::is_same_v<std::invoke_result_t<Callable, Value>, Returned>;
 
 /// A callable that is asked before a write; it cannot change itself.
-/// Internal.
 template <typename Place, typename Callable> struct write_check {
     [[no_unique_address]] Place place;
     [[no_unique_address]] Callable call;
@@ -118,7 +112,6 @@ template <typename Place, typename Callable> struct write_check {
 };
 
 /// A callable that is told after a write.
-/// Internal.
 template <typename Place, typename Callable> struct write_action {
     [[no_unique_address]] Place place;
     [[no_unique_address]] Callable call;
@@ -135,13 +128,11 @@ template <typename Place, typename Callable> struct write_action {
 };
 
 /// No hook.
-/// Internal.
 struct no_hooks {
     template <typename Visit> static constexpr void for_each(Visit&&) noexcept {}
 };
 
 /// Hooks in the order in which they were named.
-/// Internal.
 template <typename Before, typename Hook> struct hook_list {
     [[no_unique_address]] Before before;
     [[no_unique_address]] Hook last;
@@ -159,14 +150,12 @@ template <typename Before, typename Hook> struct hook_list {
 };
 
 /// Whether a bank that lists its registers has this one; one of plain words has any.
-/// Internal.
 template <typename Bank, auto const& R> inline constexpr bool may_hold = true;
 template <typename Bank, auto const& R>
     requires requires { Bank::template contains<R>; }
 inline constexpr bool may_hold<Bank, R> = Bank::template contains<R>;
 
 /// Whether a bank has typed registers and nothing else.
-/// Internal.
 template <typename Bank> inline constexpr bool is_typed_bank = false;
 template <typename Bank>
     requires std::same_as<typename Bank::typed_bank, Bank>
@@ -178,7 +167,6 @@ inline constexpr bool is_typed_bank<Bank> = true;
 /// order of the addresses, at one address in the order in which they were named. The first refusal ends it: nothing was
 /// written, and no action is called. Function 23 reads after the actions. The same holds for a broadcast, which nobody
 /// answers. What the program itself writes into the bank (`set`) calls no hook.
-/// Internal.
 template <register_bank Bank, typename Hooks = no_hooks> class hooked_bank {
 public:
     constexpr hooked_bank(Bank& bank, Hooks hooks) noexcept : bank_{&bank}, hooks_{std::move(hooks)} {}
@@ -369,12 +357,14 @@ private:
     [[no_unique_address]] Hooks hooks_;
 };
 
+} // namespace detail
+
 /// Puts hooks in front of a bank of any kind: `with_hooks(registers).check<R>(call).on_write<R>(call)`, or by address,
 /// `.check(100, call).on_write(100, call)`. The bank must outlive what this returns; the callables are stored in that.
 /// No heap; a server without hooks pays nothing for them.
 template <register_bank Bank> [[nodiscard]] constexpr auto with_hooks(Bank& bank) noexcept
 {
-    return hooked_bank<Bank>{bank, no_hooks{}};
+    return detail::hooked_bank<Bank>{bank, detail::no_hooks{}};
 }
 template <register_bank Bank> constexpr auto with_hooks(Bank const&& bank) noexcept
 {

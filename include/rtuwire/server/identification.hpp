@@ -34,8 +34,9 @@ struct device_object {
     }
 };
 
+namespace detail {
+
 /// The largest object number of an access category: 02, 7F or FF.
-/// Internal.
 [[nodiscard]] constexpr std::uint8_t last_object_of(identification_access access) noexcept
 {
     if (access == identification_access::basic) {
@@ -45,7 +46,6 @@ struct device_object {
 }
 
 /// The conformity level of a device whose largest object number is `last_object`, with single access: 81, 82 or 83.
-/// Internal.
 [[nodiscard]] constexpr std::uint8_t conformity_of(std::uint8_t last_object) noexcept
 {
     if (last_object > last_object_of(identification_access::regular)) {
@@ -53,6 +53,8 @@ struct device_object {
     }
     return last_object > last_object_of(identification_access::basic) ? 0x82 : 0x81;
 }
+
+} // namespace detail
 
 /// A device's objects, in bytes that are stored elsewhere; or none.
 class device_objects {
@@ -66,17 +68,17 @@ public:
     /// vendor's name, their numbers increase and each text has at most 244 characters.
     [[nodiscard]] static constexpr result<device_objects> from(byte_view bytes) noexcept
     {
-        if (objects_in(bytes) == 0 or to_u8(bytes[0]) != vendor_name) {
+        if (detail::objects_in(bytes) == 0 or detail::to_u8(bytes[0]) != vendor_name) {
             return errc::malformed;
         }
         device_objects made;
         made.bytes_ = bytes;
         for (byte_view rest = bytes; not rest.empty();) {
-            if (to_u8(rest[1]) > max_text_size) {
+            if (detail::to_u8(rest[1]) > max_text_size) {
                 return errc::malformed;
             }
-            made.conformity_ = conformity_of(to_u8(rest[0]));
-            rest = rest.subspan(head_size + to_u8(rest[1]));
+            made.conformity_ = detail::conformity_of(detail::to_u8(rest[0]));
+            rest = rest.subspan(head_size + detail::to_u8(rest[1]));
         }
         return made;
     }
@@ -101,8 +103,9 @@ private:
     std::uint8_t conformity_{0x81};
 };
 
+namespace detail {
+
 /// The bytes of objects known at compile time.
-/// Internal.
 template <auto const& Objects> [[nodiscard]] consteval auto bytes_of() noexcept
 {
     constexpr std::size_t size = [] {
@@ -121,23 +124,25 @@ template <auto const& Objects> [[nodiscard]] consteval auto bytes_of() noexcept
 }
 
 /// The storage of these bytes.
-/// Internal.
 template <auto const& Objects> inline constexpr auto object_bytes = bytes_of<Objects>();
+
+} // namespace detail
 
 /// The identity made of objects known at compile time: an array, or a std::array, of `device_object` at namespace or
 /// class scope (Clang 14 fails on one within a function). Objects that `device_objects::from` refuses do not compile.
 template <auto const& Objects>
 inline constexpr device_objects identity_of = [] {
-    constexpr auto made = device_objects::from(object_bytes<Objects>);
+    constexpr auto made = device_objects::from(detail::object_bytes<Objects>);
     static_assert(made.has_value(), "the vendor's name first, numbers that rise, texts that fit");
     return *made;
 }();
+
+namespace detail {
 
 /// Replaces the request of function 43 in `pdu` by its response, with as many objects as fit. Errors, as exceptions:
 /// `illegal_function` for a type other than 14 or without objects, `illegal_data_value` for another size or access,
 /// `illegal_data_address` for a single object that does not exist. A stream that asks for an unknown object starts at
 /// the first.
-/// Internal.
 [[nodiscard]] constexpr errc write_identification(pdu_buffer& pdu, device_objects const& objects) noexcept
 {
     constexpr std::size_t request_size = read_device_identification::max_size;
@@ -190,5 +195,7 @@ inline constexpr device_objects identity_of = [] {
     pdu.size = size;
     return errc::none;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -3,7 +3,6 @@
 //
 // A request as a server sees it: the memory that its response is written over, its head, and the registers that it names,
 // decoded and checked against what a device allows: first the function, then its quantities (AP 7).
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +17,8 @@
 #include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Holds a request PDU, then its response. A function that responds first reads what it needs of `bytes`, then writes
 /// into them and sets `size`; for an error, `respond_in_place` does that.
@@ -133,5 +134,7 @@ template <typename Functions>
     }
     return access.take_written(fields, write_limit) ? errc::none : errc::illegal_data_value;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

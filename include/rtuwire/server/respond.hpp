@@ -37,21 +37,20 @@ struct server_profile {
     device_objects identity{}; ///< without objects, function 43 is not supported
 };
 
+namespace detail {
+
 /// The functions of a server that has registers only: 03, 06, 08, 16, 23 and 43.
-/// Internal.
 using register_functions =
     function_list<read_holding_registers, write_single_register, diagnostics<>, write_multiple_registers<>,
                   read_write_multiple_registers<>, read_device_identification>;
 
 /// Whether a bank has what a function serves.
-/// Internal.
 template <typename Function, typename Bank> inline constexpr bool serves_function = true;
 template <typename Function, typename Bank>
     requires requires { Function::template is_served_by<Bank&>; }
 inline constexpr bool serves_function<Function, Bank> = Function::template is_served_by<Bank&>;
 
 /// Moves those of a list that a bank serves behind those that are chosen.
-/// Internal.
 template <typename Bank, typename Chosen, typename Others> struct choose_functions {
     using type = Chosen;
 };
@@ -63,16 +62,13 @@ struct choose_functions<Bank, function_list<Chosen...>, function_list<First, Oth
           function_list<Others...>> {};
 
 /// The public functions that a bank of registers serves.
-/// Internal.
 template <typename Bank>
 using served_functions = typename choose_functions<Bank, function_list<>, public_functions>::type;
 
 /// Function and byte count, in front of what a response carries.
-/// Internal.
 inline constexpr std::size_t counted_head = 2;
 
 /// How many functions of a list access the registers of the bank itself: 03, 06, 16 and 23.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] consteval int count_register_functions(function_list<Functions...>) noexcept
 {
@@ -83,7 +79,6 @@ template <typename... Functions>
 }
 
 /// Which functions `respond_to_access` answers on a server of these: those four, and 04.
-/// Internal.
 template <typename Functions> struct register_accesses {
     static constexpr bool has_inputs = Functions::template contains<read_input_registers>;
     static constexpr int holding = count_register_functions(Functions{});
@@ -107,7 +102,6 @@ private:
 };
 
 /// Calls `use` with the registers that a function of these reads.
-/// Internal.
 template <typename Functions, typename Bank, typename Use>
 constexpr errc with_registers(function_code function, Bank& bank, Use use) noexcept
 {
@@ -126,7 +120,6 @@ constexpr errc with_registers(function_code function, Bank& bank, Use use) noexc
 
 /// Executes functions 03, 04, 06, 16 and 23: both halves are checked before the write, and the write comes before the
 /// read. The words read are appended to `out`.
-/// Internal.
 template <typename Functions, typename Bank>
 [[nodiscard]] constexpr errc access_registers(function_code function, register_access const& asked, Bank& bank,
                                               byte_writer& out) noexcept
@@ -155,7 +148,6 @@ template <typename Functions, typename Bank>
 }
 
 /// Writes the byte count in front of what was appended.
-/// Internal.
 constexpr void write_count(pdu_buffer& pdu, byte_writer const& out) noexcept
 {
     pdu.bytes[1] = static_cast<std::byte>(out.size());
@@ -164,7 +156,6 @@ constexpr void write_count(pdu_buffer& pdu, byte_writer const& out) noexcept
 
 /// Where the words of a response go: behind its byte count, or where a writer already is. A small server makes the
 /// writer after the request was decoded, which is 80 bytes smaller.
-/// Internal.
 [[nodiscard]] constexpr byte_writer writer_into(pdu_buffer& pdu) noexcept
 {
     return byte_writer{pdu.bytes.subspan(counted_head)};
@@ -172,7 +163,6 @@ constexpr void write_count(pdu_buffer& pdu, byte_writer const& out) noexcept
 [[nodiscard]] constexpr byte_writer& writer_into(pdu_buffer&, byte_writer& out) noexcept { return out; }
 
 /// Answers a request of functions 03, 04, 06, 16 and 23; any other is `illegal_function`.
-/// Internal.
 template <typename Functions, typename Bank, typename... Writer>
 [[nodiscard]] constexpr errc respond_to_access(function_code function, pdu_buffer& pdu, Bank& bank,
                                                server_profile const& profile, Writer&... writer) noexcept
@@ -199,7 +189,6 @@ template <typename Functions, typename Bank, typename... Writer>
 }
 
 /// What the server gives the function that answers a request.
-/// Internal.
 template <typename Bank, typename Diagnostics> struct server_context {
     Bank& bank;
     Diagnostics& line;
@@ -208,7 +197,6 @@ template <typename Bank, typename Diagnostics> struct server_context {
 };
 
 /// Whether a function of a list has a server's half in its own file.
-/// Internal.
 template <typename Function, typename Context>
 concept has_server_half = requires
 {
@@ -216,7 +204,6 @@ concept has_server_half = requires
 };
 
 /// Whether one of a list has.
-/// Internal.
 template <typename Context, typename... Functions>
 [[nodiscard]] consteval bool have_server_half(function_list<Functions...>) noexcept
 {
@@ -224,7 +211,6 @@ template <typename Context, typename... Functions>
 }
 
 /// Lets the function of a list answer that has this code and a server's half in its own file.
-/// Internal.
 template <typename... Functions, typename Context>
 [[nodiscard]] constexpr errc respond_by_own(function_list<Functions...>, function_code function, pdu_buffer& pdu,
                                             Context const& at) noexcept
@@ -246,7 +232,6 @@ template <typename... Functions, typename Context>
 /// Answers a request on a server that has functions with a server's half in their own files, beside 03, 04, 06, 16 and
 /// 23. What such a half appends to `out` becomes a response with a byte count; where it appends nothing, the response is
 /// in place. The size by the function's length rule is checked for it.
-/// Internal.
 template <typename Functions, typename Bank, typename Diagnostics>
 [[nodiscard]] constexpr errc respond_beside(function_code function, pdu_buffer& pdu, Bank& bank,
                                             server_profile const& profile, Diagnostics& line) noexcept
@@ -271,7 +256,6 @@ template <typename Functions, typename Bank, typename Diagnostics>
 }
 
 /// Whether a bank answers functions of its own.
-/// Internal.
 template <typename Bank>
 concept answers_own_functions = requires(Bank& bank, function_code function, pdu_buffer& pdu)
 {
@@ -279,14 +263,12 @@ concept answers_own_functions = requires(Bank& bank, function_code function, pdu
 };
 
 /// Whether all functions of a list are public.
-/// Internal.
 template <typename... Functions> [[nodiscard]] consteval bool are_public(function_list<Functions...>) noexcept
 {
     return (all_functions.contains(Functions::code) and ...);
 }
 
 /// Answers a request of a function below 80; an error is the exception to send.
-/// Internal.
 template <typename Functions, typename Bank, typename Diagnostics>
 [[nodiscard]] constexpr errc respond_to(function_code function, pdu_buffer& pdu, Bank& bank,
                                         server_profile const& profile, Diagnostics& line) noexcept
@@ -327,7 +309,6 @@ template <typename Functions, typename Bank, typename Diagnostics>
 
 /// The same out of line, for a server of many functions: in line, compilers join each of its ends with what follows
 /// (70 bytes). A small server is faster in line.
-/// Internal.
 template <typename Functions, typename Bank, typename Diagnostics>
 [[nodiscard, gnu::noinline]] constexpr errc respond_apart(function_code function, pdu_buffer& pdu, Bank& bank,
                                                           server_profile const& profile, Diagnostics& line) noexcept
@@ -336,7 +317,6 @@ template <typename Functions, typename Bank, typename Diagnostics>
 }
 
 /// Replaces a request PDU of a function below 80 by its response or an exception; returns the exception, or none.
-/// Internal.
 template <typename Functions, typename Bank, typename Diagnostics>
 constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, server_profile const& profile,
                        Diagnostics& line) noexcept
@@ -372,7 +352,6 @@ constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, serv
 ///   words, 04.
 /// An error of a bank that is no exception code below 7F is sent as 04. A normal response holds the words read (03,
 /// 23), or the first five bytes of the request (06, 16).
-/// Internal.
 template <typename Functions = register_functions, typename Bank, typename Diagnostics>
 constexpr void respond_in_place(pdu_buffer& pdu, Bank& bank, server_profile const& profile, Diagnostics& line) noexcept
 {
@@ -383,9 +362,11 @@ constexpr void respond_in_place(pdu_buffer& pdu, Bank& bank, server_profile cons
     static_cast<void>(execute<Functions>(static_cast<function_code>(to_u8(pdu.bytes[0])), pdu, bank, profile, line));
 }
 
+} // namespace detail
+
 /// The same for a request in other memory. Writes the response into `out`, of at least 253 bytes, and returns the
 /// part written; empty also where `out` is smaller or the PDU larger.
-template <typename Functions = register_functions, typename Bank, typename Diagnostics>
+template <typename Functions = detail::register_functions, typename Bank, typename Diagnostics>
 [[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank, server_profile const& profile,
                                           byte_span out, Diagnostics& line) noexcept
 {
@@ -395,13 +376,13 @@ template <typename Functions = register_functions, typename Bank, typename Diagn
     for (std::size_t i = 0; i < request_pdu.size(); ++i) {
         out[i] = request_pdu[i];
     }
-    pdu_buffer pdu{out.template first<max_pdu_size>(), request_pdu.size()};
-    respond_in_place<Functions>(pdu, bank, profile, line);
+    detail::pdu_buffer pdu{out.template first<max_pdu_size>(), request_pdu.size()};
+    detail::respond_in_place<Functions>(pdu, bank, profile, line);
     return pdu.view();
 }
 
 /// The same with function 08 as the loopback only.
-template <typename Functions = register_functions, typename Bank>
+template <typename Functions = detail::register_functions, typename Bank>
 [[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank, server_profile const& profile,
                                           byte_span out) noexcept
 {

@@ -16,22 +16,22 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Answers the request in the first `size` bytes of `place`, which has at least 256. The response is written over it;
 /// empty where none is due: another unit, a broadcast, a damaged frame. A request to this unit cannot be told here
 /// from another unit's response that looks like it.
-template <typename Functions = register_functions, typename Bank, typename Diagnostics>
+template <typename Functions = detail::register_functions, typename Bank, typename Diagnostics>
 [[nodiscard]] constexpr byte_span response_frame(byte_span place, std::size_t size, unit_id unit, Bank& bank,
                                                  server_profile const& profile, Diagnostics& line) noexcept
 {
-    bool const is_broadcast = to_u8(place[0]) == 0;
-    bool const is_meant = is_broadcast or to_u8(place[0]) == unit.byte();
+    bool const is_broadcast = detail::to_u8(place[0]) == 0;
+    bool const is_meant = is_broadcast or detail::to_u8(place[0]) == unit.byte();
     if (not is_meant or check_frame(place.first(size)) != errc::none) {
         return {};
     }
-    request_head const asked{static_cast<function_code>(to_u8(place[1])), is_broadcast};
-    if (not asked.has_effect<Functions>() or to_u8(asked.function) >= exception_bit) {
+    detail::request_head const asked{static_cast<function_code>(detail::to_u8(place[1])), is_broadcast};
+    if (not asked.has_effect<Functions>() or detail::to_u8(asked.function) >= detail::exception_bit) {
         return {};
     }
-    pdu_buffer pdu{place.subspan(1).first<max_pdu_size>(), size - adu_overhead};
-    static_cast<void>(execute<Functions>(asked.function, pdu, bank, profile, line));
-    return is_broadcast or pdu.size == 0 ? byte_span{} : append_crc(place, pdu.size);
+    detail::pdu_buffer pdu{place.subspan(1).first<max_pdu_size>(), size - detail::adu_overhead};
+    static_cast<void>(detail::execute<Functions>(asked.function, pdu, bank, profile, line));
+    return is_broadcast or pdu.size == 0 ? byte_span{} : detail::append_crc(place, pdu.size);
 }
 
 } // namespace rtuwire

@@ -18,8 +18,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// The counting functions of a server without counters.
-/// Internal.
 struct no_counts {
     static constexpr void note_message() noexcept {}
     static constexpr void note_error() noexcept {}
@@ -31,18 +32,19 @@ struct no_counts {
 };
 
 /// A server without function 08: exception 01.
-/// Internal.
 struct no_diagnostics : no_counts {
     [[nodiscard]] static constexpr errc response(pdu_buffer&) noexcept { return errc::illegal_function; }
 };
 
+} // namespace detail
+
 /// A server without counters: sub-function 00 returns its own data of 1 to 125 words, exception 03 for other sizes;
 /// any other sub-function is exception 01.
-struct loopback_only : no_counts {
-    [[nodiscard]] static constexpr errc response(pdu_buffer& pdu) noexcept
+struct loopback_only : detail::no_counts {
+    [[nodiscard]] static constexpr errc response(detail::pdu_buffer& pdu) noexcept
     {
         byte_view const request_pdu = pdu.view();
-        if (request_pdu.size() >= 3 and u16_at(request_pdu, 1) != 0) {
+        if (request_pdu.size() >= 3 and detail::u16_at(request_pdu, 1) != 0) {
             return errc::illegal_function;
         }
         if (not diagnostics<>::decode(request_pdu)) {
@@ -51,6 +53,8 @@ struct loopback_only : no_counts {
         return errc::none;
     }
 };
+
+namespace detail {
 
 /// Counters of a server, each modulo 65 536, and the listen-only mode. With the server's phases
 /// (server.hpp) each counts at this moment:
@@ -74,7 +78,6 @@ struct loopback_only : no_counts {
 /// (0000) sets 12 to 0. 04 (0000) begins the listen-only mode: it gets no response, and after it only a sub-function
 /// 01 with allowed data to this unit is executed, also without a response (0F is 1 after it). In listen-only mode
 /// nothing is an exception.
-/// Internal.
 class serial_diagnostics {
 public:
     // Members that are set to 0 as -Weffc++ wants it make a call of memset: 168 bytes of a server of all functions.
@@ -206,5 +209,7 @@ private:
     bool is_listen_only_;
     bool is_cleared_; ///< by the request that is executed, which is no event then
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -46,6 +46,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// Serves one unit address, or several (`for_units`). In each pass call `receive` with what arrived, `sent` when the last stop bit of a
 /// response was sent, `advance`, `serve`; then send what `poll_transmit` returns. Sleep no longer than until
 /// `poll_deadline`; whoever comes later, even by hours, finds over what was in force, but of a pause of whole turns of the
@@ -78,7 +80,6 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// a request are decoded as the next frame, which may be the newer request. A response is sent when t3.5 has passed
 /// since the last byte, damaged or not; it is dropped if an undamaged byte arrives before `poll_transmit` returns it,
 /// or at the time limit. The request was executed even then.
-/// Internal.
 template <typename Diagnostics, typename Functions = register_functions, typename Units = one_unit,
           typename Observer = no_observer>
 class basic_server {
@@ -440,10 +441,12 @@ private:
     typename cutter::memory memory_;
 };
 
+} // namespace detail
+
 /// A server whose function 08 is the loopback (sub-function 0) only, with functions 03, 06, 08, 16, 23 and 43.
-using server = basic_server<loopback_only>;
+using server = detail::basic_server<loopback_only>;
 
 /// A server with the counters and the listen-only mode of function 08.
-using counting_server = basic_server<serial_diagnostics>;
+using counting_server = detail::basic_server<detail::serial_diagnostics>;
 
 } // namespace rtuwire

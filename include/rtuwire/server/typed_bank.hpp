@@ -30,8 +30,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// The words of a register as delivered; 0 where its factory value is not known.
-/// Internal.
 template <typename T, register_space Space> [[nodiscard]] constexpr auto factory_words(reg<T, Space> const& of) noexcept
 {
     using form = typename as_form<T>::type;
@@ -48,7 +49,6 @@ template <typename T, register_space Space> [[nodiscard]] constexpr auto factory
 }
 
 /// What holds for a holding register of one word.
-/// Internal.
 struct word_rule {
     std::uint16_t address;
     bool is_writable;
@@ -83,7 +83,6 @@ struct word_rule {
 };
 
 /// The limits of a register of any form. A number, or none.
-/// Internal.
 struct value_limits {
     std::int64_t min;
     std::int64_t max;
@@ -93,7 +92,6 @@ struct value_limits {
 };
 
 /// Whether a register of a type takes the words of a request, from the one at `at` on; `IsOpen` where it has no limits.
-/// Internal.
 template <typename T, bool IsOpen>
 [[nodiscard]] constexpr bool takes_words(register_view values, std::size_t at,
                                          [[maybe_unused]] value_limits const& limits) noexcept
@@ -122,7 +120,6 @@ template <typename T, bool IsOpen>
 }
 
 /// What holds for any register of words.
-/// Internal.
 struct value_rule {
     std::uint16_t address;
     std::uint16_t word_count;
@@ -163,7 +160,6 @@ struct value_rule {
 };
 
 /// What holds for a coil or a discrete input.
-/// Internal.
 struct bit_rule {
     std::uint16_t address;
     bool is_writable;
@@ -179,7 +175,6 @@ struct bit_rule {
 };
 
 /// The registers of one kind among those of a bank: their rules, rising by address, and their words as delivered.
-/// Internal.
 template <register_space Space, auto const&... Registers> struct bank_space {
 private:
     static constexpr std::size_t all = sizeof...(Registers);
@@ -286,7 +281,6 @@ public:
 
 /// Holding registers or input registers. A register of several words is read and written whole or not at all: half of it
 /// is exception 02.
-/// Internal.
 template <typename Space> class typed_words {
     static constexpr auto& rules = Space::rules;
 
@@ -375,7 +369,6 @@ private:
 };
 
 /// Coils or discrete inputs.
-/// Internal.
 template <typename Space> class typed_bits {
 public:
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
@@ -433,7 +426,6 @@ private:
 };
 
 /// Whether one of some registers is of a kind.
-/// Internal.
 template <register_space Space, auto const&... Registers>
 inline constexpr bool has_kind = [kinds = std::array<register_space, sizeof...(Registers)>{Registers.space...}] {
     for (register_space const each : kinds) {
@@ -445,14 +437,14 @@ inline constexpr bool has_kind = [kinds = std::array<register_space, sizeof...(R
 }();
 
 /// In the place of a kind of which a bank has no register: takes no memory.
-/// Internal.
 template <register_space> struct no_registers {};
 
 /// What a bank has of a kind. A list that nobody needs is not made: of a thousand registers it costs a compiler much.
-/// Internal.
 template <register_space Space, template <typename> typename Typed, auto const&... Registers>
 using part_of_bank =
     std::conditional_t<has_kind<Space, Registers...>, Typed<bank_space<Space, Registers...>>, no_registers<Space>>;
+
+} // namespace detail
 
 /// The values of some registers of any kinds, initially their factory values (0 where none is known). Exception 02:
 /// reading an address without a register, writing one, writing a read-only register, or reading or writing only part of
@@ -462,7 +454,7 @@ using part_of_bank =
 /// are compared as signed. Nothing is written in part.
 template <auto const&... Registers> class bank {
     using registers = table<Registers...>;
-    static_assert(are_all<has_own_steps<Registers>...>,
+    static_assert(detail::are_all<detail::has_own_steps<Registers>...>,
                   "another register sets this register's steps: name them with restepped");
     static_assert(registers::size == sizeof...(Registers)); // a table refuses registers that overlap
 
@@ -487,18 +479,19 @@ public:
     constexpr errc write(std::uint16_t start, register_view values) noexcept { return holding_.write(start, values); }
 
     /// What a server of function 04 asks for.
-    [[nodiscard]] constexpr auto& input_registers() noexcept requires(has_kind<register_space::input, Registers...>)
+    [[nodiscard]] constexpr auto& input_registers() noexcept
+        requires(detail::has_kind<register_space::input, Registers...>)
     {
         return inputs_;
     }
     /// What a server of functions 01, 05 and 15 asks for.
-    [[nodiscard]] constexpr auto& coils() noexcept requires(has_kind<register_space::coil, Registers...>)
+    [[nodiscard]] constexpr auto& coils() noexcept requires(detail::has_kind<register_space::coil, Registers...>)
     {
         return coils_;
     }
     /// What a server of function 02 asks for.
     [[nodiscard]] constexpr auto& discrete_inputs() noexcept
-        requires(has_kind<register_space::discrete_input, Registers...>)
+        requires(detail::has_kind<register_space::discrete_input, Registers...>)
     {
         return discrete_inputs_;
     }
@@ -545,10 +538,11 @@ private:
         }
     }
 
-    typed_words<bank_space<register_space::holding, Registers...>> holding_{};
-    [[no_unique_address]] part_of_bank<register_space::input, typed_words, Registers...> inputs_{};
-    [[no_unique_address]] part_of_bank<register_space::coil, typed_bits, Registers...> coils_{};
-    [[no_unique_address]] part_of_bank<register_space::discrete_input, typed_bits, Registers...> discrete_inputs_{};
+    detail::typed_words<detail::bank_space<register_space::holding, Registers...>> holding_{};
+    [[no_unique_address]] detail::part_of_bank<register_space::input, detail::typed_words, Registers...> inputs_{};
+    [[no_unique_address]] detail::part_of_bank<register_space::coil, detail::typed_bits, Registers...> coils_{};
+    [[no_unique_address]] detail::part_of_bank<register_space::discrete_input, detail::typed_bits, Registers...>
+        discrete_inputs_{};
 };
 
 } // namespace rtuwire

@@ -50,6 +50,9 @@ template <register_bank Bank, std::size_t Count> struct entry_for<std::array<ban
 template <register_bank Bank, std::size_t Extent> struct entry_for<std::span<bank_at<Bank> const, Extent>> {
     using type = std::span<bank_at<Bank> const>;
 };
+
+namespace detail {
+
 /// Internal.
 template <typename T>
 concept names_units = requires
@@ -58,7 +61,6 @@ concept names_units = requires
 };
 
 /// The entry of an argument, which is an lvalue or a `bank_at`.
-/// Internal.
 template <typename Argument> struct checked_entry {
     static_assert(names_units<Argument>,
                   "a server of several units is made of bank_at{unit_id{3}, bank}, or of a std::array of these");
@@ -67,11 +69,9 @@ template <typename Argument> struct checked_entry {
         "an array that ends with its expression cannot be served: give it a name first");
     using type = typename entry_for<std::remove_cvref_t<Argument>>::type;
 };
-/// Internal.
 template <typename Argument> using unit_entry = typename checked_entry<Argument>::type;
 
 /// The unit address of a server that has one; 0 for none.
-/// Internal.
 struct one_unit {
     static constexpr bool has_banks = false;
     std::uint8_t number;
@@ -89,7 +89,6 @@ struct one_unit {
 };
 
 /// Banks and their unit addresses, in the order in which they were named; some of them in arrays.
-/// Internal.
 template <typename... Entries> class unit_list {
 public:
     constexpr unit_list() noexcept = default;
@@ -120,13 +119,11 @@ private:
 };
 
 /// In the place of a bank: each unit has its own.
-/// Internal.
 struct own_banks {};
 
 /// The unit addresses of a server of several, and what it executes on their banks: a request on the bank of its unit, by
 /// those of the server's functions that this bank has something for; a broadcast on every bank. An address that is named
 /// twice has the first bank.
-/// Internal.
 template <typename... Entries> class unit_set {
 public:
     static constexpr bool has_banks = true;
@@ -189,5 +186,7 @@ private:
 
     unit_list<Entries...> entries_;
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -123,7 +123,7 @@ template <std::size_t Sender, line_end End> struct terminal {
         }
     }
 
-    constexpr void add_to(earliest& next) const noexcept
+    constexpr void add_to(detail::earliest& next) const noexcept
     {
         next.add(sends_until);
         next.add(end.poll_deadline());
@@ -177,7 +177,7 @@ public:
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept { return node_.poll_deadline(); }
 
 private:
-    basic_server<serial_diagnostics, served_functions<Bank>> node_;
+    detail::basic_server<detail::serial_diagnostics, detail::served_functions<Bank>> node_;
     Bank* bank_;
 };
 
@@ -291,13 +291,13 @@ public:
         requires conversation<std::remove_cvref_t<Conversation>>
     constexpr auto run(Conversation&& conversation, duration limit = longest_run)
     {
-        static_assert(not endless_conversation<std::remove_cvref_t<Conversation>>,
+        static_assert(not detail::endless_conversation<std::remove_cvref_t<Conversation>>,
                       "this conversation never ends: give it to run_for or run_until");
-        if (not can_run(conversation)) {
-            return outcome_of(std::forward<Conversation>(conversation), errc::used_already);
+        if (not detail::can_run(conversation)) {
+            return detail::outcome_of(std::forward<Conversation>(conversation), errc::used_already);
         }
         static_cast<void>(run_until([&] { return conversation.settled(); }, limit, conversation));
-        return outcome_of(std::forward<Conversation>(conversation));
+        return detail::outcome_of(std::forward<Conversation>(conversation));
     }
 
     /// Runs conversations side by side until all have ended, at most for `longest_run`; returns whether they have. One that
@@ -305,7 +305,7 @@ public:
     template <conversation First, conversation Second, conversation... Rest>
     constexpr bool run(First& first, Second& second, Rest&... rest)
     {
-        if (not(can_run(first) and can_run(second) and (can_run(rest) and ...))) {
+        if (not(detail::can_run(first) and detail::can_run(second) and (detail::can_run(rest) and ...))) {
             return false;
         }
         auto const is_done = [&] { return first.settled() and second.settled() and (rest.settled() and ...); };
@@ -342,7 +342,7 @@ private:
             }
             each.transmit(wire_, link().line(), now_);
         });
-        earliest next;
+        detail::earliest next;
         next.add(end);
         if (not wire_.poll_deadline()) {
             next.add(now_ + (longest < longest_sleep ? longest : longest_sleep));
@@ -372,15 +372,15 @@ private:
     }
 
     template <typename Conversation>
-    constexpr void add_to(earliest& next, to_its_end<Conversation> const& visitor) const noexcept
+    constexpr void add_to(detail::earliest& next, to_its_end<Conversation> const& visitor) const noexcept
     {
         add_to(next, visitor.of);
     }
 
     /// A time that has come had its effect in this pass.
-    template <typename Visitor> constexpr void add_to(earliest& next, Visitor const& visitor) const noexcept
+    template <typename Visitor> constexpr void add_to(detail::earliest& next, Visitor const& visitor) const noexcept
     {
-        if constexpr (timed_conversation<Visitor>) {
+        if constexpr (detail::timed_conversation<Visitor>) {
             deadline const at = visitor.poll_deadline();
             if (at and not reached(now_, *at)) {
                 next.add(*at);

@@ -49,38 +49,36 @@ struct link_timeout {
     bool is_adjustable{true};
 };
 
+namespace detail {
+
 /// What a device type has to say, each part for itself.
-/// Internal.
 template <typename T>
 concept has_name = std::convertible_to<decltype(T::name), literal>;
-/// Internal.
 template <typename T>
 concept has_functions = std::convertible_to<decltype(T::functions), function_set>;
-/// Internal.
 template <typename T>
 concept has_limits = std::convertible_to<decltype(T::limits), device_limits>;
-/// Internal.
 template <typename T>
 concept has_units = std::convertible_to<decltype(T::units), unit_range>;
-/// Internal.
 template <typename T>
 concept has_readable = std::convertible_to<decltype((T::readable)), std::span<address_range const>>;
-/// Internal.
 template <typename T>
 concept has_registers = std::convertible_to<decltype(T::registers::size), std::size_t>;
 
+} // namespace detail
+
 /// A device type. `registers` is a `table`; `readable` lists what one read may span.
 template <typename T>
-concept device_type =
-    has_name<T> and has_functions<T> and has_limits<T> and has_units<T> and has_readable<T> and has_registers<T>;
+concept device_type = detail::has_name<T> and detail::has_functions<T> and detail::has_limits<T> and
+    detail::has_units<T> and detail::has_readable<T> and detail::has_registers<T>;
+
+namespace detail {
 
 /// Whether a device has a register, in its own steps or in others. Named, so that a compiler that says why it refuses
 /// one prints the device and the register, not the whole table.
-/// Internal.
 template <typename Device, auto const& R> inline constexpr bool has_register = Device::registers::template contains<R>;
 
 /// Whether a device has the register of a register's scale, where it has one.
-/// Internal.
 template <typename Device, auto const& R> [[nodiscard]] constexpr bool has_scale_of() noexcept
 {
     if constexpr (has_scale_register<R>) {
@@ -89,8 +87,9 @@ template <typename Device, auto const& R> [[nodiscard]] constexpr bool has_scale
         return true;
     }
 }
-/// Internal.
 template <typename Device, auto const& R> inline constexpr bool has_scale = has_scale_of<Device, R>();
+
+} // namespace detail
 
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void unit_address_is_outside_the_range_of_this_device();
@@ -111,20 +110,24 @@ private:
     unit_id unit_;
 };
 
+namespace detail {
+
 /// Internal.
 template <typename Device> inline constexpr bool is_described = requires { sizeof(Device); };
 
+} // namespace detail
+
 /// One device on a line: its type, which is a `device_type`, and its unit address.
 template <typename Device> class station {
-    static_assert(is_described<Device>, "this device is only declared here: include its header, "
-                                        "<rtuwire/altivar/atv320.hpp> for an ATV320");
-    static_assert(has_name<Device>, "a device has a name: `static constexpr literal name`");
-    static_assert(has_functions<Device>, "a device has functions: `static constexpr function_set functions`");
-    static_assert(has_limits<Device>, "a device has limits: `static constexpr device_limits limits`");
-    static_assert(has_units<Device>, "a device has unit addresses: `static constexpr unit_range units`");
-    static_assert(has_readable<Device>, "a device lists what a read may span: `static constexpr std::array<"
-                                        "address_range, N> readable`");
-    static_assert(has_registers<Device>, "a device has registers: `using registers = table<...>`");
+    static_assert(detail::is_described<Device>, "this device is only declared here: include its header, "
+                                                "<rtuwire/altivar/atv320.hpp> for an ATV320");
+    static_assert(detail::has_name<Device>, "a device has a name: `static constexpr literal name`");
+    static_assert(detail::has_functions<Device>, "a device has functions: `static constexpr function_set functions`");
+    static_assert(detail::has_limits<Device>, "a device has limits: `static constexpr device_limits limits`");
+    static_assert(detail::has_units<Device>, "a device has unit addresses: `static constexpr unit_range units`");
+    static_assert(detail::has_readable<Device>, "a device lists what a read may span: `static constexpr std::array<"
+                                                "address_range, N> readable`");
+    static_assert(detail::has_registers<Device>, "a device has registers: `using registers = table<...>`");
 
 public:
     using device = Device;
@@ -150,8 +153,9 @@ private:
     unit_id unit_;
 };
 
+namespace detail {
+
 /// Whether a device implements a function.
-/// Internal.
 template <device_type Device> [[nodiscard]] constexpr bool implements(function_code function) noexcept
 {
     return Device::functions.contains(function);
@@ -159,7 +163,6 @@ template <device_type Device> [[nodiscard]] constexpr bool implements(function_c
 
 /// Whether every address of a space from `first` to `last` can be read: each is a described register or lies in
 /// a range that the device's description calls readable.
-/// Internal.
 template <device_type Device>
 [[nodiscard]] constexpr bool is_readable_across(std::uint16_t first, std::uint16_t last,
                                                 register_space space = register_space::holding) noexcept
@@ -175,5 +178,7 @@ template <device_type Device>
     }
     return true;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

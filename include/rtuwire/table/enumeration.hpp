@@ -26,8 +26,9 @@ template <typename E> inline constexpr std::array<named_value, 0> enumerators{};
 /// What an enumeration's values mean, in words; specialised beside `enumerators` where the manual's table has words.
 template <typename E> inline constexpr std::array<named_value, 0> meanings{};
 
+namespace detail {
+
 /// A list of names, for a specialisation of `enumerators` or `meanings`.
-/// Internal.
 template <typename E, std::size_t Count>
 [[nodiscard]] consteval std::array<named_value, Count> name_list(named_value const (&names)[Count]) noexcept
 {
@@ -39,7 +40,6 @@ template <typename E, std::size_t Count>
 }
 
 /// The values of an enumeration that its names list; none where it has no names.
-/// Internal.
 template <typename E>
 inline constexpr auto listed_values = [] {
     std::array<std::uint16_t, enumerators<E>.size()> values{};
@@ -50,7 +50,6 @@ inline constexpr auto listed_values = [] {
 }();
 
 /// Whether a word means something, given the words that do; with an empty list, any word does.
-/// Internal.
 [[nodiscard]] constexpr bool has_meaning(std::span<std::uint16_t const> listed, std::uint16_t word) noexcept
 {
     bool is_listed = listed.empty();
@@ -61,7 +60,6 @@ inline constexpr auto listed_values = [] {
 }
 
 /// The name of a value in a list; empty where it has none.
-/// Internal.
 [[nodiscard]] constexpr literal listed_name(std::span<named_value const> list, std::uint16_t value) noexcept
 {
     for (named_value const& each : list) {
@@ -72,10 +70,12 @@ inline constexpr auto listed_values = [] {
     return {};
 }
 
+} // namespace detail
+
 /// The mnemonic of a value; empty where none is known.
 template <typename E> [[nodiscard]] constexpr literal name_of(E value) noexcept
 {
-    return listed_name(enumerators<E>, static_cast<std::uint16_t>(value));
+    return detail::listed_name(enumerators<E>, static_cast<std::uint16_t>(value));
 }
 
 } // namespace rtuwire

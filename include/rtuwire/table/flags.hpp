@@ -41,8 +41,11 @@ struct flags {
     friend constexpr bool operator==(flags, flags) noexcept = default;
 };
 
+namespace detail {
+
 /// Bits that none of the available manuals explains.
-/// Internal.
 enum class unnamed_bit : std::uint8_t {};
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -4,7 +4,6 @@
 // Finds the index of a key in a list, in a few steps whatever the list's length: the compiler searches a
 // table of a hundred registers some thousand times. And questions about a whole list of template arguments, which are no
 // fold expressions: these nest, and Clang takes at most 256 of them.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -17,6 +16,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Two places in a list; none when both are 0.
 struct index_pair {
@@ -91,8 +92,12 @@ template <typename Key, std::size_t Size>
     return key_index{list}.duplicate();
 }
 
+} // namespace detail
+
 /// Facts, as a type.
 template <bool... Facts> struct fact_list;
+
+namespace detail {
 
 /// Whether all of them hold; true of none. A list whose facts are all true is the same, moved by one.
 template <bool... Facts>
@@ -110,5 +115,7 @@ template <std::size_t... Numbers> [[nodiscard]] consteval std::size_t sum_of() n
     }
     return sum;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Which words one request has to read for the value of a register: its own, and that of its scale.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +12,8 @@
 #include <rtuwire/table/table.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The first and the last of the words that one request has to read, in one space.
 struct key_range {
@@ -36,5 +37,7 @@ template <auto const& R> [[nodiscard]] constexpr key_range range_of() noexcept
     }
     return range;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -3,7 +3,6 @@
 //
 // The words that a plan reads: those of wide registers and of their scales too, by space and address, and which of them
 // one request has to read. So no value is ever put together from two moments.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -21,6 +20,8 @@
 #include <rtuwire/table/table.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Some registers, as a type. What is made of them is made by `apply`: GCC takes half
 /// a minute to find out by itself which thousand registers a list has.
@@ -48,6 +49,8 @@ template <auto const& Item, auto const&... Registers> struct registers_named<Ite
     static constexpr bool is_group = true;
 };
 
+} // namespace detail
+
 /// Lists one behind the other; eight at a time, because each step names all registers so far.
 template <typename... Lists> struct joined_lists;
 template <typename List> struct joined_lists<List> {
@@ -61,6 +64,8 @@ template <typename First, typename A, typename B, typename C, typename D, typena
 struct joined_lists<First, A, B, C, D, E, F, G, H, Others...>
     : joined_lists<typename First::template followed_by<typename joined_lists<A, B, C, D, E, F, G, H>::type>,
                    Others...> {};
+
+namespace detail {
 
 /// All registers that a plan's arguments name. Named in one list where none of them is a group.
 template <bool IsAnyGroup, auto const&... Items> struct all_named {
@@ -269,5 +274,7 @@ template <typename Device, std::size_t Words, std::size_t Most, std::size_t Rang
     }
     return plan;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -25,11 +25,12 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// In a plan, instead of registers one by one: registers whose values have to be of one moment, so that one request
 /// reads them: `read_plan<device, together<power, power_factor>, energy>`.
-template <auto const&... Registers> inline constexpr kept_together<Registers...> together{};
+template <auto const&... Registers> inline constexpr detail::kept_together<Registers...> together{};
+
+namespace detail {
 
 /// Which words a plan reads, by which requests: of holding registers of one word each, of which none has to stay with
 /// another, as drives have them.
-/// Internal.
 template <typename Device, auto const&... Registers> struct plain_layout {
     static constexpr bool is_of_one_space = true;
     static constexpr auto addresses = rising_addresses<Registers...>();
@@ -45,7 +46,6 @@ template <typename Device, auto const&... Registers> struct plain_layout {
 };
 
 /// Of any registers, among which the items may keep some together.
-/// Internal.
 template <typename Device, auto const&... Items> struct any_layout {
     template <auto const&... Registers> struct of;
 };
@@ -75,12 +75,14 @@ public:
     static constexpr register_space space_at(std::size_t place) noexcept { return plan.spaces[place]; }
 };
 
+} // namespace detail
+
 /// The requests that read registers of `Device`, and the type that stores the values. `Items` are registers, of all four
 /// kinds, and groups of them that are read `together`.
 template <device_type Device, auto const&... Items> class read_plan {
-    static constexpr bool is_any_group = is_any<registers_named<Items>::is_group...>;
-    using registers = typename all_named<is_any_group, Items...>::type;
-    using facts = typename registers::template apply<facts_of>;
+    static constexpr bool is_any_group = detail::is_any<detail::registers_named<Items>::is_group...>;
+    using registers = typename detail::all_named<is_any_group, Items...>::type;
+    using facts = typename registers::template apply<detail::facts_of>;
 
     static_assert(sizeof...(Items) > 0, "a plan reads at least one register");
     static_assert(facts::template are_of<Device>, "a plan reads registers of one device only");
@@ -89,17 +91,18 @@ template <device_type Device, auto const&... Items> class read_plan {
     static_assert(facts::are_different, "a plan reads each register once");
 
     using layout =
-        std::conditional_t<is_any_group, typename registers::template apply<any_layout<Device, Items...>::template of>,
-                           std::conditional_t<registers::is_plain, plain_layout<Device, Items...>,
-                                              typename any_layout<Device>::template of<Items...>>>;
+        std::conditional_t<is_any_group,
+                           typename registers::template apply<detail::any_layout<Device, Items...>::template of>,
+                           std::conditional_t<registers::is_plain, detail::plain_layout<Device, Items...>,
+                                              typename detail::any_layout<Device>::template of<Items...>>>;
     static constexpr auto addresses = layout::addresses;
     static constexpr auto plan = layout::blocks;
 
     /// Finds the place of a word by its address and its kind.
-    static constexpr key_index<std::uint32_t, addresses.size()> word_places{[] {
+    static constexpr detail::key_index<std::uint32_t, addresses.size()> word_places{[] {
         std::array<std::uint32_t, addresses.size()> keys{};
         for (std::size_t i = 0; i < keys.size(); ++i) {
-            keys[i] = key_of(layout::space_at(i), addresses[i]);
+            keys[i] = detail::key_of(layout::space_at(i), addresses[i]);
         }
         return keys;
     }()};
@@ -115,7 +118,7 @@ public:
     static constexpr bool is_plain = layout::is_of_one_space and layout::space_of(0) == register_space::holding;
 
     /// The requests, by kind of register and in the order of their addresses.
-    static constexpr std::span<address_block const> requests() noexcept { return plan.view(); }
+    static constexpr std::span<detail::address_block const> requests() noexcept { return plan.view(); }
 
     /// Which kind of registers a request reads.
     /// Internal.
@@ -133,11 +136,11 @@ public:
             static_assert(contains<R>, "this register is not in the plan of this snapshot");
             constexpr std::size_t place = place_of<R>();
             if constexpr (R.is_plain) {
-                return from_word<value_of<R>>(words_[place]);
-            } else if constexpr (is_always_a_value<R>) {
-                return *value_in<R>(words_, place, place);
+                return detail::from_word<value_of<R>>(words_[place]);
+            } else if constexpr (detail::is_always_a_value<R>) {
+                return *detail::value_in<R>(words_, place, place);
             } else {
-                return value_in<R>(words_, place, scale_place_of<R>());
+                return detail::value_in<R>(words_, place, scale_place_of<R>());
             }
         }
 
@@ -148,7 +151,7 @@ public:
         {
             static_assert(knows(R.min) and knows(R.max),
                           "the limits of this register hang on a register that is not in the plan");
-            if constexpr (register_value<value_of<R>>) {
+            if constexpr (detail::register_value<value_of<R>>) {
                 constexpr raw_limit low = limit_of(R.min);
                 constexpr raw_limit high = limit_of(R.max);
                 return setting<R>::checked(value, R.min.is_open() ? lowest<R>() : limit(R.min, low),
@@ -163,7 +166,7 @@ public:
         /// Stores the registers of the response to one request.
         template <typename Words> constexpr void store(std::size_t request, Words const& words) noexcept
         {
-            address_block const block = plan.blocks[request];
+            detail::address_block const block = plan.blocks[request];
             for (std::size_t i = 0; i < addresses.size(); ++i) {
                 if (block.contains(addresses[i]) and
                     (layout::is_of_one_space or layout::space_of(request) == layout::space_at(i))) {
@@ -181,8 +184,8 @@ public:
 
         /// The registers that a limit hangs on, and the places of their words.
         struct raw_limit {
-            raw_place share;
-            raw_place factor;
+            detail::raw_place share;
+            detail::raw_place factor;
             std::size_t share_at{word_places.find(share.key)};
             std::size_t factor_at{word_places.find(factor.key)};
         };
@@ -197,7 +200,7 @@ public:
         }
 
         /// The raw count of a register of the plan; 0 for none, and for a register of several words.
-        constexpr std::int32_t raw(raw_place const& of, std::size_t at) const noexcept
+        constexpr std::int32_t raw(detail::raw_place const& of, std::size_t at) const noexcept
         {
             if (not of.is_known) {
                 return 0;
@@ -207,11 +210,11 @@ public:
 
         template <auto const& R> static constexpr std::size_t place_of() noexcept
         {
-            return word_places.find(key_of(R.space, R.address));
+            return word_places.find(detail::key_of(R.space, R.address));
         }
         template <auto const& R> static constexpr std::size_t scale_place_of() noexcept
         {
-            if constexpr (has_scale_register<R>) {
+            if constexpr (detail::has_scale_register<R>) {
                 return place_of<std::remove_cvref_t<decltype(R)>::form::scale_register>();
             } else {
                 return 0;

@@ -94,8 +94,9 @@ private:
     std::uint16_t denominator_{1};
 };
 
+namespace detail {
+
 /// The smallest or largest value of a register named by another register.
-/// Internal.
 [[nodiscard]] constexpr bound share_of(literal code, std::uint16_t numerator, std::uint16_t denominator) noexcept
 {
     return bound{code, numerator, denominator};
@@ -103,14 +104,12 @@ private:
 
 /// A limit that is the product of two registers' raw counts, divided: by 10 where one of them counts
 /// tenths and the product whole units.
-/// Internal.
 [[nodiscard]] constexpr bound product_of(literal code, literal factor, std::uint16_t denominator) noexcept
 {
     return bound{code, 1, denominator, factor};
 }
 
 /// Raw counts from `first` to `last`, both included; none while `last` is below `first`.
-/// Internal.
 struct count_range {
     std::int32_t first{0};
     std::int32_t last{-1};
@@ -119,14 +118,12 @@ struct count_range {
 };
 
 /// What a row leaves out. Named constants, because a compiler copies them in half the time in which it makes them anew.
-/// Internal.
 inline constexpr bound open_bound{};
-/// Internal.
 inline constexpr literal no_text{};
-/// Internal.
 inline constexpr std::optional<std::int32_t> unknown_count{};
-/// Internal.
 inline constexpr count_range no_gap{};
+
+} // namespace detail
 
 /// The four kinds of a unit's data. Each has addresses of its own, and functions that read and write it.
 enum class register_space : std::uint8_t {
@@ -136,11 +133,15 @@ enum class register_space : std::uint8_t {
     discrete_input, ///< function 02 reads
 };
 
+namespace detail {
+
 /// Internal.
 [[nodiscard]] constexpr bool is_space_of_bits(register_space space) noexcept
 {
     return space == register_space::coil or space == register_space::discrete_input;
 }
+
+} // namespace detail
 
 /// How one or more words stand for a value, where one word is not simply its count: `float32<volts>`. Such a form has
 /// - `value_type`, and `word_count`, the number of registers it takes;
@@ -149,14 +150,15 @@ enum class register_space : std::uint8_t {
 /// - `is_total`, true where any words are a value.
 /// A quantity is asked for nothing, so that a table does not make the compiler look into every unit.
 template <typename T>
-concept register_form = not is_quantity_type<T> and std::is_class_v<T> and requires
+concept register_form = not detail::is_quantity_type<T> and std::is_class_v<T> and requires
 {
     typename T::value_type;
     T::word_count;
 };
 
+namespace detail {
+
 /// What the registers of a type or form hold, and how many there are.
-/// Internal.
 template <typename T> struct held_by {
     using type = T;
     static constexpr std::uint16_t words = 1;
@@ -175,15 +177,16 @@ template <register_form T> struct held_by<T> {
 };
 
 /// Who may write a register where its row does not say it.
-/// Internal.
 template <register_space Space>
 inline constexpr access usual_access =
     Space == register_space::holding or Space == register_space::coil ? access::read_write : access::read_only;
 
+} // namespace detail
+
 /// One register whose values are of type `T`: a quantity, an enumeration, a bit field, or a form of several words. A
 /// coil or a discrete input has the type bool.
 template <typename T, register_space Space = register_space::holding> struct reg {
-    using held = held_by<T>;
+    using held = detail::held_by<T>;
     static_assert(held::is_bit == (Space == register_space::coil or Space == register_space::discrete_input),
                   "a coil and a discrete input hold a bool, and a register something else");
 
@@ -196,16 +199,16 @@ template <typename T, register_space Space = register_space::holding> struct reg
 
     literal code;          ///< the manufacturer's mnemonic, in upper case
     std::uint16_t address; ///< as it stands on the wire
-    access mode = usual_access<Space>;
-    bound min = open_bound;                              ///< in raw counts
-    bound max = open_bound;                              ///< in raw counts
-    std::optional<std::int32_t> factory = unknown_count; ///< the value as delivered, in raw counts, where known
-    literal name = no_text;                              ///< for display
+    access mode = detail::usual_access<Space>;
+    bound min = detail::open_bound;                              ///< in raw counts
+    bound max = detail::open_bound;                              ///< in raw counts
+    std::optional<std::int32_t> factory = detail::unknown_count; ///< the value as delivered, in raw counts, where known
+    literal name = detail::no_text;                              ///< for display
     provenance source{provenance::documented};
-    literal steps_set_by = no_text;  ///< the register that sets the size of a step, where one does
-    count_range gap = no_gap;        ///< inside the limits, but never to be written
-    void const* counted_as{nullptr}; ///< the register that this one counts in other steps
-    bool is_restepped{false};        ///< whether `counted_as` names one: GCC with -fsanitize=undefined does not ask it
+    literal steps_set_by = detail::no_text;   ///< the register that sets the size of a step, where one does
+    detail::count_range gap = detail::no_gap; ///< inside the limits, but never to be written
+    void const* counted_as{nullptr};          ///< the register that this one counts in other steps
+    bool is_restepped{false}; ///< whether `counted_as` names one: GCC with -fsanitize=undefined does not ask it
 };
 
 /// A register that only function 04 reads; a bit that function 01 reads and 05 writes; one that only 02 reads.
@@ -227,8 +230,9 @@ concept bit_field = requires(T value)
 template <typename T>
 concept register_enumeration = std::is_enum_v<T> and std::same_as<std::underlying_type_t<T>, std::uint16_t>;
 
+namespace detail {
+
 /// A quantity that one register can hold.
-/// Internal.
 template <typename T>
 concept register_quantity = requires(T value)
 {
@@ -241,12 +245,10 @@ concept register_quantity = requires(T value)
 };
 
 /// What a register can hold.
-/// Internal.
 template <typename T>
 concept register_value = bit_field<T> or register_enumeration<T> or register_quantity<T>;
 
 /// A value as the word that stands on the wire.
-/// Internal.
 template <register_value T> [[nodiscard]] constexpr std::uint16_t to_word(T value) noexcept
 {
     if constexpr (register_quantity<T>) {
@@ -259,7 +261,6 @@ template <register_value T> [[nodiscard]] constexpr std::uint16_t to_word(T valu
 }
 
 /// The value of a word from the wire; every word has one.
-/// Internal.
 template <register_value T> [[nodiscard]] constexpr T from_word(std::uint16_t word) noexcept
 {
     if constexpr (register_quantity<T>) {
@@ -272,7 +273,6 @@ template <register_value T> [[nodiscard]] constexpr T from_word(std::uint16_t wo
 }
 
 /// The raw count of a word: negative only in a register of signed numbers.
-/// Internal.
 template <register_value T> [[nodiscard]] constexpr std::int32_t raw_count(std::uint16_t word) noexcept
 {
     if constexpr (register_quantity<T>) {
@@ -284,12 +284,10 @@ template <register_value T> [[nodiscard]] constexpr std::int32_t raw_count(std::
 
 /// Whether two references name one register. Not by address: GCC with -fsanitize=undefined does not compare
 /// the addresses of two objects in a constant expression.
-/// Internal.
 template <auto const& Left, auto const& Right> inline constexpr bool is_same_register = false;
 template <auto const& R> inline constexpr bool is_same_register<R, R> = true;
 
 /// The words that mean something in a register: those that its enumeration lists; without a list, any.
-/// Internal.
 template <register_value T> [[nodiscard]] constexpr std::span<std::uint16_t const> listed_words() noexcept
 {
     if constexpr (register_enumeration<T>) {
@@ -299,11 +297,14 @@ template <register_value T> [[nodiscard]] constexpr std::span<std::uint16_t cons
     }
 }
 
+} // namespace detail
+
 /// The type of a register's values.
 template <auto const& R> using value_of = typename std::remove_cvref_t<decltype(R)>::value_type;
 
+namespace detail {
+
 /// The register that holds the decimal scale of a form's values.
-/// Internal.
 template <typename T>
 concept scaled_form = register_form<T> and requires
 {
@@ -311,16 +312,15 @@ concept scaled_form = register_form<T> and requires
 };
 
 /// Whether a register's values are in steps of another size, which a second register of the same request tells.
-/// Internal.
 template <auto const& R>
 inline constexpr bool has_scale_register = scaled_form<typename std::remove_cvref_t<decltype(R)>::form>;
 
 /// Whether a register can be read without a step that the program names.
-/// Internal.
 template <auto const& R> inline constexpr bool has_readable_steps = R.steps_set_by.size() == 0;
 
 /// Whether a register's steps are always the same size.
-/// Internal.
 template <auto const& R> inline constexpr bool has_own_steps = has_readable_steps<R> and not has_scale_register<R>;
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -18,8 +18,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// The size of the longest name in a list.
-/// Internal.
 [[nodiscard]] constexpr std::size_t longest_name(std::span<named_value const> list) noexcept
 {
     std::size_t longest = 0;
@@ -29,23 +30,25 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     return longest;
 }
 
+} // namespace detail
+
 /// An enumerator: "SLF1: Modbus interrupted", only one of both where the other is not known, and its number, "#25",
 /// where neither is.
 template <register_enumeration E> [[nodiscard]] constexpr auto text_of(E value) noexcept
 {
     constexpr std::size_t numbered = 6;
-    constexpr std::size_t named = longest_name(enumerators<E>) + 2 + longest_name(meanings<E>);
+    constexpr std::size_t named = detail::longest_name(enumerators<E>) + 2 + detail::longest_name(meanings<E>);
     auto const number = static_cast<std::uint16_t>(value);
-    short_text<(named > numbered ? named : numbered)> text;
-    literal const name = listed_name(enumerators<E>, number);
-    literal const meaning = listed_name(meanings<E>, number);
+    detail::short_text<(named > numbered ? named : numbered)> text;
+    literal const name = detail::listed_name(enumerators<E>, number);
+    literal const meaning = detail::listed_name(meanings<E>, number);
     text.precede(meaning);
     if (name.size() != 0 and meaning.size() != 0) {
         text.precede(": ");
     }
     text.precede(name);
     if (text.size() == 0) {
-        precede_by_number(text, std::uint32_t{number});
+        detail::precede_by_number(text, std::uint32_t{number});
         text.precede('#');
     }
     return text;
@@ -55,7 +58,7 @@ template <register_enumeration E> [[nodiscard]] constexpr auto text_of(E value) 
 template <bit_field Bits> [[nodiscard]] constexpr auto text_of(Bits value) noexcept
 {
     constexpr literal digits{"0123456789ABCDEF"};
-    short_text<6> text;
+    detail::short_text<6> text;
     for (unsigned at = 0; at < 16U; at += 4U) {
         text.precede(digits[(std::size_t{value.bits} >> at) % 16U]);
     }

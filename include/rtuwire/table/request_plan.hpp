@@ -3,7 +3,6 @@
 //
 // How to cover a set of addresses with the fewest requests: among the plans with the fewest, the one that
 // reads or writes the fewest registers. Knows addresses and a limit, no device and no frame.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -14,6 +13,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// One request: `count` registers from `start` on.
 struct address_block {
@@ -156,5 +157,7 @@ template <std::size_t Most, typename MayCross, typename IsJoined = none_is_joine
     }
     return plan;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -14,8 +14,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// Whether a step counts numbers with a sign.
-/// Internal.
 template <typename Step> [[nodiscard]] consteval bool is_signed_step() noexcept
 {
     if constexpr (requires { typename Step::count_type; }) {
@@ -26,7 +27,6 @@ template <typename Step> [[nodiscard]] consteval bool is_signed_step() noexcept
 }
 
 /// Whether the words of a step stand in an order; a step of one word has its high byte first.
-/// Internal.
 template <typename Step> [[nodiscard]] consteval bool is_in_order(word_order order) noexcept
 {
     if constexpr (requires { Step::order; }) {
@@ -37,7 +37,6 @@ template <typename Step> [[nodiscard]] consteval bool is_in_order(word_order ord
 }
 
 /// The address of a register that is counted in other steps; these have as many words.
-/// Internal.
 template <typename Step, auto const& R> [[nodiscard]] consteval std::uint16_t restepped_address() noexcept
 {
     static_assert(held_by<Step>::words == R.word_count, "a step is as wide as its register: name one of so many bits");
@@ -51,7 +50,6 @@ template <typename Step, auto const& R> [[nodiscard]] consteval std::uint16_t re
 }
 
 /// A limit of a register in other steps. What means "not implemented" in a count with a scale is never written.
-/// Internal.
 template <auto const& R> [[nodiscard]] consteval bound restepped_limit(bound limit, bool is_highest) noexcept
 {
     if constexpr (has_scale_register<R>) {
@@ -63,19 +61,22 @@ template <auto const& R> [[nodiscard]] consteval bound restepped_limit(bound lim
     return limit;
 }
 
+} // namespace detail
+
 /// A register whose steps another register sets, counted in steps that the caller knows. It can be named
 /// wherever the register can.
 template <typename Step, auto const& R>
-inline constexpr reg<Step, std::remove_cvref_t<decltype(R)>::space> restepped{.code = R.code,
-                                                                              .address = restepped_address<Step, R>(),
-                                                                              .mode = R.mode,
-                                                                              .min = restepped_limit<R>(R.min, false),
-                                                                              .max = restepped_limit<R>(R.max, true),
-                                                                              .factory = R.factory,
-                                                                              .name = R.name,
-                                                                              .source = R.source,
-                                                                              .gap = R.gap,
-                                                                              .counted_as = &R,
-                                                                              .is_restepped = true};
+inline constexpr reg<Step, std::remove_cvref_t<decltype(R)>::space> restepped{
+    .code = R.code,
+    .address = detail::restepped_address<Step, R>(),
+    .mode = R.mode,
+    .min = detail::restepped_limit<R>(R.min, false),
+    .max = detail::restepped_limit<R>(R.max, true),
+    .factory = R.factory,
+    .name = R.name,
+    .source = R.source,
+    .gap = R.gap,
+    .counted_as = &R,
+    .is_restepped = true};
 
 } // namespace rtuwire

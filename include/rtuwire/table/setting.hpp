@@ -27,8 +27,9 @@ void value_is_not_a_whole_number_of_register_steps();
 void value_has_no_meaning_in_this_register();
 void value_is_never_written_to_this_register();
 
+namespace detail {
+
 /// The smallest raw count of a register of one word, as far as its limit is a number.
-/// Internal.
 template <register_value T> [[nodiscard]] constexpr std::int32_t lowest_count(bound const& min) noexcept
 {
     if (min.is_number()) {
@@ -42,7 +43,6 @@ template <register_value T> [[nodiscard]] constexpr std::int32_t lowest_count(bo
 }
 
 /// The largest raw count of a register of one word, as far as its limit is a number.
-/// Internal.
 template <register_value T> [[nodiscard]] constexpr std::int32_t highest_count(bound const& max) noexcept
 {
     if (max.is_number()) {
@@ -55,20 +55,23 @@ template <register_value T> [[nodiscard]] constexpr std::int32_t highest_count(b
     }
 }
 
+} // namespace detail
+
 /// The smallest raw count of a register of one word, as far as it does not depend on another.
 template <auto const& R> [[nodiscard]] constexpr std::int32_t lowest() noexcept
 {
-    return lowest_count<value_of<R>>(R.min);
+    return detail::lowest_count<value_of<R>>(R.min);
 }
 
 /// The largest raw count of a register of one word, as far as it does not depend on another.
 template <auto const& R> [[nodiscard]] constexpr std::int32_t highest() noexcept
 {
-    return highest_count<value_of<R>>(R.max);
+    return detail::highest_count<value_of<R>>(R.max);
 }
 
+namespace detail {
+
 /// How many units of `Value` make one step of `Target`, as a fraction; 1 where either counts none.
-/// Internal.
 template <typename Target, typename Value, bool = measures_the_same<Target, Value>>
 struct step_ratio : std::ratio<1> {};
 template <typename Target, typename Value>
@@ -76,7 +79,6 @@ struct step_ratio<Target, Value, true> : std::ratio_divide<typename Value::scale
 
 /// An amount in steps of `Target`; `value_between_steps` where it is no whole number of them, an end of 64 bits where
 /// these do not hold it.
-/// Internal.
 template <typename Target, any_quantity Value>
 [[nodiscard]] constexpr result<std::int64_t> whole_steps(Value value) noexcept
 {
@@ -92,12 +94,13 @@ template <typename Target, any_quantity Value>
 }
 
 /// Whether a value is a floating point amount for a register that counts whole steps of the same.
-/// Internal.
 template <typename Target, typename Value> inline constexpr bool is_unrounded = any_quantity<Target>and requires
 {
     requires std::floating_point<typename Value::rep>;
     requires std::same_as<typename Value::dimension, typename Target::dimension>;
 };
+
+} // namespace detail
 
 /// A value within the limits of register `R`. table/form/form_setting.hpp has the same for forms of several words.
 template <auto const& R> class setting {
@@ -109,12 +112,12 @@ public:
     /// for each call above the sentence. A plain number and another dimension are taken in order to be refused in
     /// plain words.
     template <typename Value>
-        requires std::same_as<Value, value_type> or any_quantity<Value> or std::is_arithmetic_v<Value>
+        requires std::same_as<Value, value_type> or detail::any_quantity<Value> or std::is_arithmetic_v<Value>
     consteval setting(Value value) noexcept : word_{static_cast<std::uint16_t>(numerator(value) / denominator<Value>)}
     {
         static_assert(not std::is_arithmetic_v<Value>,
                       "a plain number is no setting: give it a unit (3_s), or name an enumerator or bits");
-        static_assert(not any_quantity<Value> or measures_the_same<value_type, Value>,
+        static_assert(not detail::any_quantity<Value> or detail::measures_the_same<value_type, Value>,
                       "this value measures something else than the register");
         std::int64_t const raw = numerator(value) / denominator<Value>;
         if (numerator(value) % denominator<Value> != 0) {
@@ -129,7 +132,7 @@ public:
         if (raw >= R.gap.first and raw <= R.gap.last) {
             value_is_never_written_to_this_register();
         }
-        if (not has_meaning(listed_words<value_type>(), word_)) {
+        if (not detail::has_meaning(detail::listed_words<value_type>(), word_)) {
             value_has_no_meaning_in_this_register();
         }
     }
@@ -143,9 +146,10 @@ public:
     {
         static_assert(not std::is_arithmetic_v<Value>,
                       "a plain number is no setting: give it a unit (n * 0.1_s), or name an enumerator or bits");
-        static_assert(not is_unrounded<value_type, Value>, "this register counts whole steps: rounded_to first");
+        static_assert(not detail::is_unrounded<value_type, Value>,
+                      "this register counts whole steps: rounded_to first");
         static_assert(std::is_arithmetic_v<Value> or std::same_as<Value, value_type> or
-                          is_unrounded<value_type, Value> or measures_the_same<value_type, Value>,
+                          detail::is_unrounded<value_type, Value> or detail::measures_the_same<value_type, Value>,
                       "this value measures something else than the register");
         auto const raw = raw_of(value);
         errc const why = not raw ? raw.error() : refusal(*raw, min_now, max_now);
@@ -156,9 +160,10 @@ public:
     }
 
     /// The nearest value within the limits; the lower end of a gap where it lies in one.
-    [[nodiscard]] static constexpr setting clamped(value_type value) noexcept requires register_quantity<value_type>
+    [[nodiscard]] static constexpr setting
+    clamped(value_type value) noexcept requires detail::register_quantity<value_type>
     {
-        std::int32_t raw = raw_count<value_type>(to_word(value));
+        std::int32_t raw = detail::raw_count<value_type>(detail::to_word(value));
         if (raw < lowest<R>()) {
             raw = lowest<R>();
         }
@@ -174,7 +179,7 @@ public:
     /// The word that stands on the wire.
     [[nodiscard]] constexpr std::uint16_t word() const noexcept { return word_; }
 
-    [[nodiscard]] constexpr value_type value() const noexcept { return from_word<value_type>(word_); }
+    [[nodiscard]] constexpr value_type value() const noexcept { return detail::from_word<value_type>(word_); }
 
 private:
     struct proven {};
@@ -192,17 +197,18 @@ private:
         if (R.gap.contains(raw)) {
             return errc::value_never_written;
         }
-        return has_meaning(listed_words<value_type>(), static_cast<std::uint16_t>(raw)) ? errc::none
-                                                                                        : errc::value_without_meaning;
+        return detail::has_meaning(detail::listed_words<value_type>(), static_cast<std::uint16_t>(raw))
+                   ? errc::none
+                   : errc::value_without_meaning;
     }
 
     /// A value in raw counts; an error where it is no whole number of them, or far outside of any register.
     template <typename Value> static constexpr result<std::int32_t> raw_of(Value value) noexcept
     {
         if constexpr (std::same_as<Value, value_type>) {
-            return raw_count<value_type>(to_word(value));
-        } else if constexpr (any_quantity<Value>) {
-            auto const raw = whole_steps<value_type>(value);
+            return detail::raw_count<value_type>(detail::to_word(value));
+        } else if constexpr (detail::any_quantity<Value>) {
+            auto const raw = detail::whole_steps<value_type>(value);
             if (not raw) {
                 return raw.error();
             }
@@ -219,31 +225,31 @@ private:
         }
     }
 
-    template <typename Value> using ratio_of = step_ratio<value_type, Value>;
+    template <typename Value> using ratio_of = detail::step_ratio<value_type, Value>;
     template <typename Value> static constexpr std::int64_t denominator = ratio_of<Value>::den;
 
     /// A value in raw counts, times the denominator.
     template <typename Value> static constexpr std::int64_t numerator(Value value) noexcept
     {
-        if constexpr (any_quantity<Value>) {
+        if constexpr (detail::any_quantity<Value>) {
             return std::int64_t{value.count()} * ratio_of<Value>::num;
         } else if constexpr (std::is_arithmetic_v<Value>) {
             return 0;
         } else {
-            return raw_count<Value>(to_word(value));
+            return detail::raw_count<Value>(detail::to_word(value));
         }
     }
 
     std::uint16_t word_;
 };
 
+namespace detail {
+
 /// Whether a type is a setting of some register.
-/// Internal.
 template <typename T> inline constexpr bool is_setting = false;
 template <auto const& R> inline constexpr bool is_setting<setting<R>> = true;
 
 /// A value known only at run time, on its way to a register: becomes a setting of it, or the reason why not.
-/// Internal.
 template <typename Value> class value_to_check {
 public:
     explicit constexpr value_to_check(Value its_value) noexcept : value_{its_value} {}
@@ -256,13 +262,15 @@ private:
     Value value_;
 };
 
+} // namespace detail
+
 /// A value known only at run time, where a setting is written: `write<atv12::acc>(drive, checked(n * 0.1_s))`. A value
 /// that the register does not take is not sent; the outcome says why.
-template <typename Value> [[nodiscard]] constexpr value_to_check<Value> checked(Value value) noexcept
+template <typename Value> [[nodiscard]] constexpr detail::value_to_check<Value> checked(Value value) noexcept
 {
     static_assert(not std::is_arithmetic_v<Value>,
                   "a plain number is no setting: give it a unit (n * 0.1_s), or name an enumerator or bits");
-    return value_to_check<Value>{value};
+    return detail::value_to_check<Value>{value};
 }
 
 } // namespace rtuwire

@@ -22,8 +22,9 @@ template <auto const& A, auto const& B> struct these_registers_have_one_code;
 template <auto const& A> struct these_registers_overlap<A, A> {};
 template <auto const& A> struct these_registers_have_one_code<A, A> {};
 
+namespace detail {
+
 /// The register at a place in a list of registers.
-/// Internal.
 template <std::size_t Index, auto const& First, auto const&... Rest>
 [[nodiscard]] constexpr auto const& register_at() noexcept
 {
@@ -35,21 +36,18 @@ template <std::size_t Index, auto const& First, auto const&... Rest>
 }
 
 /// The same far behind in a long list: a template calls itself only some hundred times.
-/// Internal.
 template <std::size_t Index, auto const& A, auto const& B, auto const& C, auto const& D, auto const& E, auto const& F,
           auto const& G, auto const& H, auto const&... Rest>
     requires(Index >= 8)
 [[nodiscard]] constexpr auto const& register_at() noexcept { return register_at<Index - 8, Rest...>(); }
 
 /// An address in its space, as one number.
-/// Internal.
 [[nodiscard]] constexpr std::uint32_t key_of(register_space space, std::uint16_t address) noexcept
 {
     return std::uint32_t{static_cast<std::uint8_t>(space)} << 16U | address;
 }
 
 /// All addresses of some registers, wide ones with every word, in their order; and whose address each is.
-/// Internal.
 template <auto const&... Registers> class address_list {
     static constexpr std::size_t count = sizeof...(Registers);
     static_assert(are_all<(std::uint32_t{Registers.address} + Registers.word_count <= 0x1'0000U)...>,
@@ -82,7 +80,6 @@ public:
 };
 
 /// The same where each is a holding register of one word, as those of drives are: half the work for the compiler.
-/// Internal.
 template <auto const&... Registers>
     requires(are_all<Registers.is_plain...>)
 class address_list<Registers...> {
@@ -102,7 +99,6 @@ public:
 };
 
 /// A register that a table is asked for: where it is, and which object it is.
-/// Internal.
 struct asked_register {
     std::uint16_t address;
     register_space space;
@@ -111,22 +107,24 @@ struct asked_register {
     bool is_restepped;
 };
 
+} // namespace detail
+
 /// A device's registers. Each address of a space and each mnemonic occurs once.
 template <auto const&... Registers> class table {
 public:
     static constexpr std::size_t size = sizeof...(Registers);
 
 private:
-    using address_list_type = address_list<Registers...>;
+    using address_list_type = detail::address_list<Registers...>;
 
     /// All that a search reads, in one object.
     struct register_index {
         address_list_type all{};
-        key_index<std::uint32_t, address_list_type::size> by_address{all.keys};
+        detail::key_index<std::uint32_t, address_list_type::size> by_address{all.keys};
         std::array<void const*, size> places{&Registers...};
         std::array<bool, size> are_restepped{Registers.is_restepped...};
 
-        [[nodiscard]] constexpr bool holds(asked_register const& asked) const noexcept
+        [[nodiscard]] constexpr bool holds(detail::asked_register const& asked) const noexcept
         {
             std::size_t const place = by_address.find(address_list_type::key(asked.space, asked.address));
             if (place == address_list_type::size) {
@@ -152,10 +150,10 @@ public:
     /// Whether all of some registers are this device's. Not one by one: see `key_index`.
     /// Internal.
     template <std::size_t Count>
-    [[nodiscard]] static constexpr bool holds_all(std::array<asked_register, Count> const& all_asked) noexcept
+    [[nodiscard]] static constexpr bool holds_all(std::array<detail::asked_register, Count> const& all_asked) noexcept
     {
         auto const copy = index;
-        for (asked_register const& asked : all_asked) {
+        for (detail::asked_register const& asked : all_asked) {
             if (not copy.holds(asked)) {
                 return false;
             }
@@ -175,14 +173,15 @@ public:
 
 private:
     static constexpr std::array<literal, size> codes{Registers.code...};
-    static constexpr index_pair overlap = index.by_address.duplicate();
-    static constexpr index_pair namesake = first_duplicate(codes);
+    static constexpr detail::index_pair overlap = index.by_address.duplicate();
+    static constexpr detail::index_pair namesake = detail::first_duplicate(codes);
 
     // In the class itself: GCC prints a line for each function between the table and its message.
-    static_assert(sizeof(these_registers_overlap<register_at<index.all.owner(overlap.first), Registers...>(),
-                                                 register_at<index.all.owner(overlap.second), Registers...>()>) > 0);
-    static_assert(sizeof(these_registers_have_one_code<register_at<namesake.first, Registers...>(),
-                                                       register_at<namesake.second, Registers...>()>) > 0);
+    static_assert(
+        sizeof(these_registers_overlap<detail::register_at<index.all.owner(overlap.first), Registers...>(),
+                                       detail::register_at<index.all.owner(overlap.second), Registers...>()>) > 0);
+    static_assert(sizeof(these_registers_have_one_code<detail::register_at<namesake.first, Registers...>(),
+                                                       detail::register_at<namesake.second, Registers...>()>) > 0);
 };
 
 } // namespace rtuwire

@@ -3,7 +3,6 @@
 //
 // Any settings of a device, written with the fewest requests that it allows: neighbours go into one request,
 // and only registers that were named are written. A register of several words is written by one request.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -18,6 +17,8 @@
 #include <rtuwire/table/setting.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The requests that write `Registers` of `Device`, and the words of their settings.
 template <device_type Device, auto const&... Registers> class write_plan {
@@ -98,5 +99,7 @@ private:
     std::array<std::uint16_t, word_count> words_{};
     errc error_{errc::none};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

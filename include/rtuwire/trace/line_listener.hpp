@@ -61,20 +61,20 @@ struct heard_frame {
     /// The function, exception bit removed; 0 where there is none.
     [[nodiscard]] constexpr function_code function() const noexcept
     {
-        return static_cast<function_code>(head(1) & ~exception_bit & 0xFF);
+        return static_cast<function_code>(head(1) & ~detail::exception_bit & 0xFF);
     }
 
     /// Whether it is an undamaged refusal.
     [[nodiscard]] constexpr bool is_exception() const noexcept
     {
         return frame.role == frame_role::response and frame.verdict != frame_verdict::damaged and
-               (to_u8(frame.bytes[1]) & exception_bit) != 0;
+               (detail::to_u8(frame.bytes[1]) & detail::exception_bit) != 0;
     }
 
     /// The first register, coil or input that the request names; of function 23, the first to be read.
     [[nodiscard]] constexpr std::optional<std::uint16_t> start() const noexcept
     {
-        return quantity() ? std::optional{u16_at(asked(), 2)} : std::nullopt;
+        return quantity() ? std::optional{detail::u16_at(asked(), 2)} : std::nullopt;
     }
 
     /// How many the request names: those whose values the response holds, or that it says are written. Empty for
@@ -96,7 +96,7 @@ struct heard_frame {
                                             function_code::mask_write_register};
         for (function_code const each : with_quantity) {
             if (function() == each) {
-                return u16_at(asked(), 4);
+                return detail::u16_at(asked(), 4);
             }
         }
         for (function_code const each : of_one) {
@@ -111,7 +111,7 @@ private:
     [[nodiscard]] constexpr std::uint8_t head(std::size_t at) const noexcept
     {
         byte_view const from = asked().empty() ? frame.bytes : asked();
-        return at < from.size() ? to_u8(from[at]) : std::uint8_t{0};
+        return at < from.size() ? detail::to_u8(from[at]) : std::uint8_t{0};
     }
 };
 
@@ -156,7 +156,7 @@ public:
     /// When `advance` has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        earliest next;
+        detail::earliest next;
         if (not held_.is_empty() or held_.has_damage()) {
             next.add(last_ + timing_.frame_end());
         } else if (pending_.is_any()) {
@@ -166,7 +166,7 @@ public:
             next.add(lost_.end() + limit_);
         }
         if (given_up_.is_any()) {
-            next.add(given_up_.end() + longest_duration);
+            next.add(given_up_.end() + detail::longest_duration);
         }
         return next;
     }
@@ -192,7 +192,7 @@ private:
     /// The line was as it is up to a time.
     template <typename Take> constexpr void let_pass(instant now, Take& take)
     {
-        instant const until = within_reach(seen_, now, timing_.characters(max_adu_size));
+        instant const until = detail::within_reach(seen_, now, timing_.characters(max_adu_size));
         seen_ = now;
         if (reached(until, last_ + timing_.frame_end())) {
             cut(true, take);
@@ -204,7 +204,7 @@ private:
         if (lost_.is_any() and reached(until, lost_.end() + limit_)) {
             lost_.forget();
         }
-        if (given_up_.is_any() and reached(until, given_up_.end() + longest_duration)) {
+        if (given_up_.is_any() and reached(until, given_up_.end() + detail::longest_duration)) {
             given_up_.forget();
         }
     }
@@ -243,7 +243,7 @@ private:
                 give_up(it.frame.at, take);
             }
             take(it);
-            pending_.note(to_u8(bytes[0]) == 0 ? byte_view{} : bytes, it.frame.at);
+            pending_.note(detail::to_u8(bytes[0]) == 0 ? byte_view{} : bytes, it.frame.at);
         } else {
             answer(it, take);
         }
@@ -326,7 +326,7 @@ private:
                                      : found;
         }
         if (found.is_whole() and found.role == frame_role::request and lost_.is_any() and
-            detail::match_by_rule(direction::response, bytes).size == found.size and
+            detail::match_by_rule(detail::direction::response, bytes).size == found.size and
             detail::resembles(bytes.first(found.size), lost_.bytes())) {
             found.role = frame_role::response;
         }
@@ -363,7 +363,7 @@ private:
     {
         return bytes.size() >= min_adu_size and bytes.size() <= max_adu_size and
                not held_.is_damaged(0, bytes.size()) and detail::has_right_crc(bytes) and
-               frame_length(direction::request, bytes).size() == 0;
+               detail::frame_length(detail::direction::request, bytes).size() == 0;
     }
 
     constexpr frame_role role_of(byte_view bytes) const noexcept
@@ -373,7 +373,7 @@ private:
 
     static constexpr bool has_rule(byte_view bytes) noexcept
     {
-        return frame_length(direction::response, bytes).size() != 0;
+        return detail::frame_length(detail::direction::response, bytes).size() != 0;
     }
 
     detail::heard_bytes held_{};

@@ -35,8 +35,9 @@ enum class line_event : std::uint8_t {
     noise,      ///< a byte that belonged to no response
 };
 
+namespace detail {
+
 /// What a frame counts as, by the error that was found in it.
-/// Internal.
 [[nodiscard]] constexpr line_event event_of(errc found) noexcept
 {
     if (found == errc::none) {
@@ -56,7 +57,6 @@ enum class line_event : std::uint8_t {
 
 /// What a frame is that ended while a response was awaited: by what was found in it; whether its CRC is right, and its size
 /// the one that its own bytes tell; whether the unit that it names owes a response to an earlier request.
-/// Internal.
 [[nodiscard]] constexpr frame_verdict verdict_on_response(errc found, bool is_whole, bool is_owed) noexcept
 {
     if (not is_whole) {
@@ -72,7 +72,6 @@ enum class line_event : std::uint8_t {
 }
 
 /// Who is told nothing; also what another observer need not care for.
-/// Internal.
 struct no_observer {
     /// A request to a unit begins to leave, or something has happened to it that is no frame.
     static constexpr void on_event(line_event, std::uint8_t) noexcept {}
@@ -96,9 +95,7 @@ struct no_observer {
 };
 
 /// Whether an engine tells anybody anything; whether a sink can take its frames.
-/// Internal.
 template <typename Observer> inline constexpr bool is_observed = not std::is_same_v<Observer, no_observer>;
-/// Internal.
 template <typename Observer, typename Sink>
 inline constexpr bool is_traced_by = requires(Observer& observer, Sink& sink)
 {
@@ -106,7 +103,6 @@ inline constexpr bool is_traced_by = requires(Observer& observer, Sink& sink)
 };
 
 /// Hands the frames to a sink.
-/// Internal.
 template <typename Sink> class tracing {
     static_assert(frame_sink<Sink>, "a sink of frames has a function take(traced_frame const&) that is noexcept");
 
@@ -173,7 +169,6 @@ private:
 };
 
 /// Both are told.
-/// Internal.
 template <typename First, typename Second> struct observers {
     constexpr void on_event(line_event what, std::uint8_t unit) noexcept
     {
@@ -243,7 +238,6 @@ template <typename First, typename Second> struct observers {
 };
 
 /// The observer, or the first of several: what counts stands there.
-/// Internal.
 template <typename Observer> [[nodiscard]] constexpr auto& first_of(Observer& observer) noexcept
 {
     if constexpr (requires { observer.first; }) {
@@ -252,5 +246,7 @@ template <typename Observer> [[nodiscard]] constexpr auto& first_of(Observer& ob
         return observer;
     }
 }
+
+} // namespace detail
 
 } // namespace rtuwire

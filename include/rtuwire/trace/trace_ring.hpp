@@ -112,19 +112,19 @@ private:
         put(at, what | static_cast<unsigned>(bytes.size() / 256U) << size_at);
         put(at, static_cast<std::uint32_t>(bytes.size()));
         for (std::byte const each : bytes) {
-            put(at, to_u8(each));
+            put(at, detail::to_u8(each));
         }
         detail::store(in_, at);
     }
 
     constexpr void put(index& at, std::uint32_t value) noexcept
     {
-        bytes_[at % Bytes] = to_byte(value);
+        bytes_[at % Bytes] = detail::to_byte(value);
         ++at;
     }
     constexpr std::uint8_t get(index& at) const noexcept
     {
-        std::uint8_t const value = to_u8(bytes_[at % Bytes]);
+        std::uint8_t const value = detail::to_u8(bytes_[at % Bytes]);
         ++at;
         return value;
     }

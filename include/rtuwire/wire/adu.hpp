@@ -22,8 +22,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// What can be encoded: it checks that it is allowed on the wire, tells its length, and writes itself.
-/// Internal.
 template <typename T>
 concept pdu = requires(T const& value, byte_writer& out)
 {
@@ -40,16 +41,13 @@ concept pdu = requires(T const& value, byte_writer& out)
 };
 
 /// A PDU that needs no response, only an effect, so that it may be broadcast.
-/// Internal.
 template <typename T>
 concept broadcastable = pdu<T> and T::may_be_broadcast;
 
 /// A frame with room for the longest PDU of the type.
-/// Internal.
 template <pdu P> using frame_of = fixed_buffer<P::max_size + adu_overhead>;
 
 /// The PDU of a frame of at least 4 bytes.
-/// Internal.
 [[nodiscard]] constexpr byte_view pdu_of(byte_view frame) noexcept
 {
     // Not a subspan, which first checks whether its size means "all".
@@ -57,11 +55,12 @@ template <pdu P> using frame_of = fixed_buffer<P::max_size + adu_overhead>;
 }
 
 /// Whether the first `size` bytes of the response are those of the request.
-/// Internal.
 [[nodiscard]] constexpr bool repeats(byte_view request_pdu, byte_view response_pdu, std::size_t size) noexcept
 {
     return request_pdu.size() >= size and same_bytes(request_pdu.first(size), response_pdu.first(size));
 }
+
+} // namespace detail
 
 /// A received frame whose CRC was right: a view of its bytes, valid as long as they are.
 class adu {
@@ -73,27 +72,28 @@ public:
     [[nodiscard]] constexpr byte_view bytes() const noexcept { return bytes_; }
 
     /// The unit address, 0 in a broadcast.
-    [[nodiscard]] constexpr std::uint8_t unit() const noexcept { return to_u8(bytes_[0]); }
-    [[nodiscard]] constexpr byte_view pdu() const noexcept { return pdu_of(bytes_); }
+    [[nodiscard]] constexpr std::uint8_t unit() const noexcept { return detail::to_u8(bytes_[0]); }
+    [[nodiscard]] constexpr byte_view pdu() const noexcept { return detail::pdu_of(bytes_); }
 
     /// The byte behind the unit address, exception bit included.
-    [[nodiscard]] constexpr std::uint8_t wire_code() const noexcept { return to_u8(bytes_[1]); }
+    [[nodiscard]] constexpr std::uint8_t wire_code() const noexcept { return detail::to_u8(bytes_[1]); }
 
     /// The function, exception bit removed.
     [[nodiscard]] constexpr function_code function() const noexcept
     {
-        return static_cast<function_code>(wire_code() & ~exception_bit & 0xFF);
+        return static_cast<function_code>(wire_code() & ~detail::exception_bit & 0xFF);
     }
 
-    [[nodiscard]] constexpr bool is_exception() const noexcept { return (wire_code() & exception_bit) != 0; }
+    [[nodiscard]] constexpr bool is_exception() const noexcept { return (wire_code() & detail::exception_bit) != 0; }
 
 private:
     byte_view bytes_;
 };
 
+namespace detail {
+
 /// Completes a frame whose unit byte and PDU are in `place` already: appends the CRC. `place` has room for
 /// it.
-/// Internal.
 constexpr byte_span append_crc(byte_span place, std::size_t pdu_size) noexcept
 {
     std::size_t const end = 1 + pdu_size;
@@ -106,7 +106,6 @@ constexpr byte_span append_crc(byte_span place, std::size_t pdu_size) noexcept
 /// Writes unit, PDU and CRC into `out`, without checking that this request may go to the unit. Returns the
 /// part of `out` written. Errors: what the PDU's own check finds, or `buffer_too_small`; `out` is then
 /// unchanged.
-/// Internal.
 template <pdu P>
 [[nodiscard]] constexpr result<byte_span> encode_adu(byte_span out, std::uint8_t unit, P const& value) noexcept
 {
@@ -123,27 +122,30 @@ template <pdu P>
     return append_crc(out, size - adu_overhead);
 }
 
+} // namespace detail
+
 /// Writes the frame of a request or response of one unit into `out`; returns the part written.
-template <pdu P>
+template <detail::pdu P>
 [[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, unit_id unit, P const& value) noexcept
 {
-    return encode_adu(out, unit.byte(), value);
+    return detail::encode_adu(out, unit.byte(), value);
 }
 
 /// Writes the frame of a request to one unit, or of a broadcast, into `out`; returns the part written.
-template <broadcastable P>
-[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, destination to, P const& value) noexcept
+template <detail::broadcastable P>
+[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, detail::destination to, P const& value) noexcept
 {
-    return encode_adu(out, to.byte(), value);
+    return detail::encode_adu(out, to.byte(), value);
 }
 
 /// The frame of a request or response, as a value. Store it in a variable before taking a view of its bytes.
 /// A request that needs a response cannot be broadcast: that does not compile.
-template <typename To, pdu P> [[nodiscard]] constexpr result<frame_of<P>> encode(To to, P const& value) noexcept
+template <typename To, detail::pdu P>
+[[nodiscard]] constexpr result<detail::frame_of<P>> encode(To to, P const& value) noexcept
 {
-    static_assert(std::same_as<To, unit_id> or broadcastable<P>,
+    static_assert(std::same_as<To, unit_id> or detail::broadcastable<P>,
                   "a broadcast has no response, so only a write can be broadcast");
-    frame_of<P> frame;
+    detail::frame_of<P> frame;
     auto const written = encode_into(frame.storage(), to, value);
     if (not written) {
         return written.error();

@@ -18,8 +18,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// Writes a byte count and bits; what is left of the last byte is 0.
-/// Internal.
 constexpr void write_bits(byte_writer& out, bit_view bits) noexcept
 {
     std::size_t const size = bytes_of_bits(bits.size());
@@ -37,7 +38,6 @@ constexpr void write_bits(byte_writer& out, bit_view bits) noexcept
 }
 
 /// Writes a function, a byte count and bits.
-/// Internal.
 constexpr void write_bits(byte_writer& out, function_code code, bit_view bits) noexcept
 {
     out.u8(to_u8(code));
@@ -45,7 +45,6 @@ constexpr void write_bits(byte_writer& out, function_code code, bit_view bits) n
 }
 
 /// The most bytes that a request's bits can have; see `bytes_at_most`.
-/// Internal.
 template <typename Bits> inline constexpr std::size_t bytes_of_bits_at_most = bytes_of_bits(max_bit_write_quantity);
 template <std::size_t Count>
 inline constexpr std::size_t bytes_of_bits_at_most<bit_block<Count>> = bytes_of_bits(Count < max_bit_write_quantity
@@ -54,7 +53,6 @@ inline constexpr std::size_t bytes_of_bits_at_most<bit_block<Count>> = bytes_of_
 
 /// Reads a response of bits: the eightfold of its bytes, of which the request counted at least one in the last byte.
 /// Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
-/// Internal.
 template <typename Response> [[nodiscard]] constexpr result<Response> decode_bits(byte_view pdu) noexcept
 {
     auto const bytes = decode_counted(pdu, Response::code);
@@ -69,7 +67,6 @@ template <typename Response> [[nodiscard]] constexpr result<Response> decode_bit
 
 /// Answers a request for bits, from the bank that has them. One body for functions 01 and 02, since it is no template
 /// over the request.
-/// Internal.
 template <typename Bits>
 [[nodiscard]] constexpr errc respond_with_bits(byte_view pdu, Bits& bank, byte_writer& out) noexcept
 {
@@ -88,7 +85,6 @@ template <typename Bits>
 }
 
 /// Executes a write of bits, whose address stands first. The first five bytes of the request are its response.
-/// Internal.
 template <typename Memory, typename Bits>
 [[nodiscard]] constexpr errc write_bits_into(Bits& bank, Memory& pdu, std::size_t values_at, std::size_t count) noexcept
 {
@@ -102,25 +98,27 @@ template <typename Memory, typename Bits>
     return bank.write(start, values);
 }
 
+} // namespace detail
+
 /// The response to function 01: coils in whole bytes, so there may be up to seven more than were requested.
 struct read_coils_response {
     static constexpr function_code code = function_code::read_coils;
-    static constexpr std::size_t max_size = 2U + bytes_of_bits(max_bit_quantity);
+    static constexpr std::size_t max_size = 2U + detail::bytes_of_bits(max_bit_quantity);
 
     /// In wire order; after decoding, a view of the received bytes.
     bit_view coils;
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return is_quantity(coils.size(), max_bit_quantity) ? errc::none : errc::invalid_quantity;
+        return detail::is_quantity(coils.size(), max_bit_quantity) ? errc::none : errc::invalid_quantity;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + coils.bytes().size(); }
-    constexpr void write(byte_writer& out) const noexcept { write_bits(out, code, coils); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_bits(out, code, coils); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
     [[nodiscard]] static constexpr result<read_coils_response> decode(byte_view pdu) noexcept
     {
-        return decode_bits<read_coils_response>(pdu);
+        return detail::decode_bits<read_coils_response>(pdu);
     }
 };
 
@@ -128,21 +126,22 @@ struct read_coils_response {
 struct read_coils {
     using response = read_coils_response;
     static constexpr function_code code = function_code::read_coils;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 8), sized(length_rule::byte_count, 5),
-                                       answer_rule::bits};
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::fixed, 8),
+                                               detail::sized(detail::length_rule::byte_count, 5),
+                                               detail::answer_rule::bits};
     static constexpr std::size_t max_size = 5;
 
     std::uint16_t start;
     std::uint16_t count; ///< 1..2000
 
-    [[nodiscard]] constexpr errc check() const noexcept { return check_run(start, count, max_bit_quantity); }
+    [[nodiscard]] constexpr errc check() const noexcept { return detail::check_run(start, count, max_bit_quantity); }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { write_head(out, code, start, count); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_head(out, code, start, count); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
     [[nodiscard]] static constexpr result<read_coils> decode(byte_view pdu) noexcept
     {
-        return decode_run<read_coils>(pdu, max_bit_quantity);
+        return detail::decode_run<read_coils>(pdu, max_bit_quantity);
     }
 
     /// Whether a bank has what this function serves.
@@ -155,7 +154,7 @@ struct read_coils {
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 01 needs a bank with coils()");
-        return respond_with_bits(pdu.view(), at.bank.coils(), at.out);
+        return detail::respond_with_bits(pdu.view(), at.bank.coils(), at.out);
     }
 
     friend constexpr bool operator==(read_coils const&, read_coils const&) = default;
@@ -164,22 +163,22 @@ struct read_coils {
 /// The response to function 02: discrete inputs in whole bytes, so there may be up to seven more than were requested.
 struct read_discrete_inputs_response {
     static constexpr function_code code = function_code::read_discrete_inputs;
-    static constexpr std::size_t max_size = 2U + bytes_of_bits(max_bit_quantity);
+    static constexpr std::size_t max_size = 2U + detail::bytes_of_bits(max_bit_quantity);
 
     /// In wire order; after decoding, a view of the received bytes.
     bit_view inputs;
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return is_quantity(inputs.size(), max_bit_quantity) ? errc::none : errc::invalid_quantity;
+        return detail::is_quantity(inputs.size(), max_bit_quantity) ? errc::none : errc::invalid_quantity;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + inputs.bytes().size(); }
-    constexpr void write(byte_writer& out) const noexcept { write_bits(out, code, inputs); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_bits(out, code, inputs); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
     [[nodiscard]] static constexpr result<read_discrete_inputs_response> decode(byte_view pdu) noexcept
     {
-        return decode_bits<read_discrete_inputs_response>(pdu);
+        return detail::decode_bits<read_discrete_inputs_response>(pdu);
     }
 };
 
@@ -187,21 +186,22 @@ struct read_discrete_inputs_response {
 struct read_discrete_inputs {
     using response = read_discrete_inputs_response;
     static constexpr function_code code = function_code::read_discrete_inputs;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 8), sized(length_rule::byte_count, 5),
-                                       answer_rule::bits};
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::fixed, 8),
+                                               detail::sized(detail::length_rule::byte_count, 5),
+                                               detail::answer_rule::bits};
     static constexpr std::size_t max_size = 5;
 
     std::uint16_t start;
     std::uint16_t count; ///< 1..2000
 
-    [[nodiscard]] constexpr errc check() const noexcept { return check_run(start, count, max_bit_quantity); }
+    [[nodiscard]] constexpr errc check() const noexcept { return detail::check_run(start, count, max_bit_quantity); }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { write_head(out, code, start, count); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_head(out, code, start, count); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
     [[nodiscard]] static constexpr result<read_discrete_inputs> decode(byte_view pdu) noexcept
     {
-        return decode_run<read_discrete_inputs>(pdu, max_bit_quantity);
+        return detail::decode_run<read_discrete_inputs>(pdu, max_bit_quantity);
     }
 
     /// Whether a bank has what this function serves.
@@ -214,7 +214,7 @@ struct read_discrete_inputs {
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 02 needs a bank with discrete_inputs()");
-        return respond_with_bits(pdu.view(), at.bank.discrete_inputs(), at.out);
+        return detail::respond_with_bits(pdu.view(), at.bank.discrete_inputs(), at.out);
     }
 
     friend constexpr bool operator==(read_discrete_inputs const&, read_discrete_inputs const&) = default;
@@ -224,7 +224,8 @@ struct read_discrete_inputs {
 struct write_single_coil {
     using response = write_single_coil;
     static constexpr function_code code = function_code::write_single_coil;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 8), sized(length_rule::fixed, 8), answer_rule::head};
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::fixed, 8),
+                                               detail::sized(detail::length_rule::fixed, 8), detail::answer_rule::head};
     static constexpr std::size_t max_size = 5;
     static constexpr bool may_be_broadcast = true;
 
@@ -233,19 +234,19 @@ struct write_single_coil {
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { write_head(out, code, address, value ? on : 0U); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_head(out, code, address, value ? on : 0U); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `malformed` for a value other than FF00 and 0000.
     [[nodiscard]] static constexpr result<write_single_coil> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
-        std::uint16_t const value = u16_at(pdu, 3);
+        std::uint16_t const value = detail::u16_at(pdu, 3);
         if (not is_value(value)) {
             return errc::malformed;
         }
-        return write_single_coil{u16_at(pdu, 1), value == on};
+        return write_single_coil{detail::u16_at(pdu, 1), value == on};
     }
 
     /// Whether a bank has what this function serves.
@@ -259,12 +260,12 @@ struct write_single_coil {
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 05 needs a bank with coils()");
         constexpr std::size_t value_at = 3;
-        std::uint16_t const value = u16_at(pdu.bytes, value_at);
+        std::uint16_t const value = detail::u16_at(pdu.bytes, value_at);
         if (not is_value(value)) {
             return errc::illegal_data_value;
         }
         // The first bit of FF or of 00.
-        return write_bits_into(at.bank.coils(), pdu, value_at, 1);
+        return detail::write_bits_into(at.bank.coils(), pdu, value_at, 1);
     }
 
     friend constexpr bool operator==(write_single_coil const&, write_single_coil const&) = default;
@@ -276,16 +277,17 @@ private:
 };
 
 /// The response to function 15: `start` and `count` of what was written, without the values.
-using write_multiple_coils_response = written_run_response<function_code::write_multiple_coils, max_bit_write_quantity>;
+using write_multiple_coils_response =
+    detail::written_run_response<function_code::write_multiple_coils, max_bit_write_quantity>;
 
 /// Switches coils from address `start` on, of one unit or of all. Made of a block, it owns that block; made of a view,
 /// its bits are stored elsewhere.
 template <typename Bits = bit_view> struct write_multiple_coils {
     using response = write_multiple_coils_response;
     static constexpr function_code code = function_code::write_multiple_coils;
-    static constexpr frame_rules rules{sized(length_rule::byte_count, 9), sized(length_rule::fixed, 8),
-                                       answer_rule::head};
-    static constexpr std::size_t max_size = 6U + bytes_of_bits_at_most<Bits>;
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::byte_count, 9),
+                                               detail::sized(detail::length_rule::fixed, 8), detail::answer_rule::head};
+    static constexpr std::size_t max_size = 6U + detail::bytes_of_bits_at_most<Bits>;
     static constexpr bool may_be_broadcast = true;
 
     std::uint16_t start;
@@ -294,29 +296,29 @@ template <typename Bits = bit_view> struct write_multiple_coils {
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return check_run(start, values.size(), max_bit_write_quantity);
+        return detail::check_run(start, values.size(), max_bit_write_quantity);
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 6 + values.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        write_head(out, code, start, static_cast<std::uint32_t>(values.size()));
-        write_bits(out, bit_view{values});
+        detail::write_head(out, code, start, static_cast<std::uint32_t>(values.size()));
+        detail::write_bits(out, bit_view{values});
     }
 
     /// Reads a PDU; quantity, byte count and size must all agree. Errors: `wrong_function`, `wrong_length`,
     /// `invalid_quantity`.
     [[nodiscard]] static constexpr result<write_multiple_coils<>> decode(byte_view pdu) noexcept
     {
-        if (not is_pdu_of(pdu, code)) {
+        if (not detail::is_pdu_of(pdu, code)) {
             return errc::wrong_function;
         }
-        if (pdu.size() < head or pdu.size() != head + to_u8(pdu[5])) {
+        if (pdu.size() < head or pdu.size() != head + detail::to_u8(pdu[5])) {
             return errc::wrong_length;
         }
         if (errc const wrong = check_quantity(pdu); wrong != errc::none) {
             return wrong;
         }
-        return write_multiple_coils<>{u16_at(pdu, 1), bit_view{pdu.subspan(head), u16_at(pdu, 3)}};
+        return write_multiple_coils<>{detail::u16_at(pdu, 1), bit_view{pdu.subspan(head), detail::u16_at(pdu, 3)}};
     }
 
     /// Whether a bank has what this function serves.
@@ -332,7 +334,7 @@ template <typename Bits = bit_view> struct write_multiple_coils {
         if (check_quantity(pdu.view()) != errc::none) {
             return errc::illegal_data_value;
         }
-        return write_bits_into(at.bank.coils(), pdu, head, u16_at(pdu.bytes, 3));
+        return detail::write_bits_into(at.bank.coils(), pdu, head, detail::u16_at(pdu.bytes, 3));
     }
 
 private:
@@ -341,11 +343,11 @@ private:
     /// Whether the quantity of a PDU of at least the head is allowed, and is that of its bytes.
     static constexpr errc check_quantity(byte_view pdu) noexcept
     {
-        std::size_t const count = u16_at(pdu, 3);
-        if (not is_quantity(count, max_bit_write_quantity)) {
+        std::size_t const count = detail::u16_at(pdu, 3);
+        if (not detail::is_quantity(count, max_bit_write_quantity)) {
             return errc::invalid_quantity;
         }
-        return pdu.size() == head + bytes_of_bits(count) ? errc::none : errc::wrong_length;
+        return pdu.size() == head + detail::bytes_of_bits(count) ? errc::none : errc::wrong_length;
     }
 };
 

@@ -193,12 +193,15 @@ enum class errc : std::uint8_t {
     return error != errc::none and static_cast<std::uint8_t>(error) < 0x80;
 }
 
+namespace detail {
+
 /// The error for an exception code from the wire.
-/// Internal.
 [[nodiscard]] constexpr errc exception_error(std::uint8_t code) noexcept
 {
     return code == 0 or code >= 0x80 ? errc::unlisted_exception : static_cast<errc>(code);
 }
+
+} // namespace detail
 
 /// What kind of error a code is: whose fault it is, and whether a request left.
 enum class error_category : std::uint8_t {

@@ -11,16 +11,17 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The response to function 23: the `registers` read after the write.
-using read_write_multiple_registers_response = registers_response<function_code::read_write_multiple_registers>;
+using read_write_multiple_registers_response = detail::registers_response<function_code::read_write_multiple_registers>;
 
 /// Writes registers of one unit from `write_start`, then reads `read_count` from `read_start`. Made of a block,
 /// it owns that block; made of a view, its words are stored elsewhere.
 template <typename Words = register_view> struct read_write_multiple_registers {
     using response = read_write_multiple_registers_response;
     static constexpr function_code code = function_code::read_write_multiple_registers;
-    static constexpr frame_rules rules{sized(length_rule::byte_count, 13), sized(length_rule::byte_count, 5),
-                                       answer_rule::registers};
-    static constexpr std::size_t max_size = 10U + bytes_at_most<Words, max_exchange_write_quantity>;
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::byte_count, 13),
+                                               detail::sized(detail::length_rule::byte_count, 5),
+                                               detail::answer_rule::registers};
+    static constexpr std::size_t max_size = 10U + detail::bytes_at_most<Words, max_exchange_write_quantity>;
 
     std::uint16_t read_start;
     std::uint16_t read_count; ///< 1..125
@@ -30,18 +31,18 @@ template <typename Words = register_view> struct read_write_multiple_registers {
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        if (not is_quantity(read_count, max_exchange_read_quantity) or
-            not is_quantity(values.size(), max_exchange_write_quantity)) {
+        if (not detail::is_quantity(read_count, max_exchange_read_quantity) or
+            not detail::is_quantity(values.size(), max_exchange_write_quantity)) {
             return errc::invalid_quantity;
         }
-        return is_address_range(read_start, read_count) and is_address_range(write_start, values.size())
+        return detail::is_address_range(read_start, read_count) and detail::is_address_range(write_start, values.size())
                    ? errc::none
                    : errc::invalid_address_range;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 10 + values.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        write_head(out, function_code::read_write_multiple_registers, read_start, read_count);
+        detail::write_head(out, function_code::read_write_multiple_registers, read_start, read_count);
         out.u16(write_start);
         out.u16(static_cast<std::uint32_t>(values.size()));
         out.u8(static_cast<std::uint32_t>(values.bytes().size()));
@@ -53,22 +54,22 @@ template <typename Words = register_view> struct read_write_multiple_registers {
     [[nodiscard]] static constexpr result<read_write_multiple_registers<>> decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 10;
-        if (not is_pdu_of(pdu, function_code::read_write_multiple_registers)) {
+        if (not detail::is_pdu_of(pdu, function_code::read_write_multiple_registers)) {
             return errc::wrong_function;
         }
-        if (pdu.size() < head or pdu.size() != head + to_u8(pdu[9])) {
+        if (pdu.size() < head or pdu.size() != head + detail::to_u8(pdu[9])) {
             return errc::wrong_length;
         }
-        std::size_t const write_count = u16_at(pdu, 7);
-        std::uint16_t const read_count = u16_at(pdu, 3);
-        if (not is_quantity(read_count, max_exchange_read_quantity) or
-            not is_quantity(write_count, max_exchange_write_quantity)) {
+        std::size_t const write_count = detail::u16_at(pdu, 7);
+        std::uint16_t const read_count = detail::u16_at(pdu, 3);
+        if (not detail::is_quantity(read_count, max_exchange_read_quantity) or
+            not detail::is_quantity(write_count, max_exchange_write_quantity)) {
             return errc::invalid_quantity;
         }
         if (pdu.size() != head + 2 * write_count) {
             return errc::wrong_length;
         }
-        return read_write_multiple_registers<>{u16_at(pdu, 1), read_count, u16_at(pdu, 5),
+        return read_write_multiple_registers<>{detail::u16_at(pdu, 1), read_count, detail::u16_at(pdu, 5),
                                                register_view{pdu.subspan(head)}};
     }
 };
@@ -84,7 +85,7 @@ constexpr bool operator==(read_write_multiple_registers<Left> const& left,
                           read_write_multiple_registers<Right> const& right) noexcept
 {
     return left.read_start == right.read_start and left.read_count == right.read_count and
-           left.write_start == right.write_start and same_bytes(left.values.bytes(), right.values.bytes());
+           left.write_start == right.write_start and detail::same_bytes(left.values.bytes(), right.values.bytes());
 }
 
 } // namespace rtuwire

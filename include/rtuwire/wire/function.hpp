@@ -40,23 +40,21 @@ enum class function_code : std::uint8_t {
     encapsulated_interface = 43,
 };
 
+namespace detail {
+
 /// The bit that marks an exception response (AP 7).
-/// Internal.
 inline constexpr std::uint8_t exception_bit = 0x80;
 
 /// A code as it stands on the wire.
-/// Internal.
 [[nodiscard]] constexpr std::uint8_t to_u8(function_code code) noexcept { return static_cast<std::uint8_t>(code); }
 
 /// Whether a PDU is a request or normal response of a function.
-/// Internal.
 [[nodiscard]] constexpr bool is_pdu_of(byte_view pdu, function_code code) noexcept
 {
     return not pdu.empty() and to_u8(pdu[0]) == to_u8(code);
 }
 
 /// Writes a function and its first two fields: what most requests begin with.
-/// Internal.
 constexpr void write_head(byte_writer& out, function_code code, std::uint32_t first, std::uint32_t second) noexcept
 {
     constexpr std::size_t size = 5;
@@ -67,6 +65,8 @@ constexpr void write_head(byte_writer& out, function_code code, std::uint32_t fi
     }
 }
 
+} // namespace detail
+
 /// A set of function codes, in 16 bytes.
 class function_set {
 public:
@@ -75,7 +75,7 @@ public:
 
     [[nodiscard]] constexpr bool contains(function_code code) const noexcept
     {
-        auto const number = to_u8(code);
+        auto const number = detail::to_u8(code);
         return number < 0x80 and ((words_[number / 32U] >> (number % 32U)) & 1U) != 0;
     }
 
@@ -94,7 +94,7 @@ public:
 private:
     constexpr void add(function_code code) noexcept
     {
-        auto const number = to_u8(code);
+        auto const number = detail::to_u8(code);
         if (number > 0 and number < 0x80) {
             words_[number / 32U] |= std::uint32_t{1} << (number % 32U);
         }
@@ -103,12 +103,12 @@ private:
     std::array<std::uint32_t, 4> words_{};
 };
 
+namespace detail {
+
 /// Which way a frame travels.
-/// Internal.
 enum class direction : std::uint8_t { request, response };
 
 /// How the size of an ADU follows from its bytes.
-/// Internal.
 enum class length_rule : std::uint8_t {
     none = 0x00,        ///< only silence ends it
     fixed = 0x20,       ///< as many bytes as its size says
@@ -119,25 +119,21 @@ enum class length_rule : std::uint8_t {
 };
 
 /// The bits of a rule that tell its kind; the others are its size, up to 31.
-/// Internal.
 inline constexpr std::uint8_t length_rule_bits = 0xE0;
 
 /// A rule with its size, CRC included, in one byte.
-/// Internal.
 [[nodiscard]] constexpr std::uint8_t sized(length_rule counts, unsigned size = 0) noexcept
 {
     return static_cast<std::uint8_t>(static_cast<unsigned>(counts) | size);
 }
 
 /// The size of a rule.
-/// Internal.
 [[nodiscard]] constexpr std::size_t size_in(std::uint8_t rule) noexcept
 {
     return rule & ~std::uint32_t{length_rule_bits} & 0xFFU;
 }
 
 /// What a normal response has in common with its request.
-/// Internal.
 enum class answer_rule : std::uint8_t {
     unknown,   ///< of a function that is not in the list: it may even be the request
     head,      ///< it is the first five bytes of the request
@@ -150,7 +146,6 @@ enum class answer_rule : std::uint8_t {
 };
 
 /// The rules of one function.
-/// Internal.
 struct frame_rules {
     std::uint8_t request;
     std::uint8_t response;
@@ -158,7 +153,6 @@ struct frame_rules {
 };
 
 /// A request says itself whether a response fits it.
-/// Internal.
 template <typename Request>
 concept has_response_check = requires(byte_view bytes)
 {
@@ -168,7 +162,6 @@ concept has_response_check = requires(byte_view bytes)
 };
 
 /// A request that knows more of its response than the client compares: its conversation asks `check_response` of it.
-/// Internal.
 template <typename Request>
 concept checks_response = has_response_check<Request> and not requires
 {
@@ -177,10 +170,11 @@ concept checks_response = has_response_check<Request> and not requires
 
 /// What a rule says of a size, before one above 256 is refused. Two members: the size may be more than fits
 /// `length_hint`, and a caller that needs only one need not have the other.
-/// Internal.
 struct raw_length {
     std::size_t size{0};
     bool is_final{false};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

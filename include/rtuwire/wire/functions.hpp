@@ -26,20 +26,24 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Functions, each by the type of its request.
 template <typename... Functions> struct function_list {
-    static constexpr function_set codes{function_row<Functions>::code...};
+    static constexpr function_set codes{detail::function_row<Functions>::code...};
 
     /// Whether a function is in the list.
     template <typename Function>
-    static constexpr bool contains = ((function_row<Functions>::code == function_row<Function>::code) or ...);
+    static constexpr bool contains = ((detail::function_row<Functions>::code == detail::function_row<Function>::code) or
+                                      ...);
 };
 
+namespace detail {
+
 /// Whether a list has a function with this code.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] constexpr bool is_among(function_list<Functions...>, std::uint8_t code) noexcept
 {
     return ((code == to_u8(function_row<Functions>::code)) or ...);
 }
+
+} // namespace detail
 
 /// The public functions (AP 6).
 using public_functions =
@@ -52,9 +56,10 @@ using public_functions =
 /// Their codes.
 inline constexpr function_set all_functions = public_functions::codes;
 
+namespace detail {
+
 /// Whether a frame can be a request of one of these functions; of all public functions also one of one's own. Errors:
 /// `frame_too_short`, `frame_too_long`, `invalid_function`.
-/// Internal.
 template <typename Functions> [[nodiscard, gnu::always_inline]] constexpr errc check_request(byte_view frame) noexcept
 {
     if (frame.size() < min_adu_size) {
@@ -70,7 +75,6 @@ template <typename Functions> [[nodiscard, gnu::always_inline]] constexpr errc c
 }
 
 /// What a function with this code says of a response, where it knows more of it than the client compares.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] constexpr errc check_beside_client(function_list<Functions...>, byte_view request_pdu,
                                                  byte_view response_pdu) noexcept
@@ -89,7 +93,6 @@ template <typename... Functions>
 
 /// What the bytes so far tell: the frame is `size` bytes long, or more is known when `size` are there, or
 /// (`size` 0) only silence ends it.
-/// Internal.
 class length_hint {
 public:
     constexpr length_hint() noexcept = default;
@@ -106,40 +109,46 @@ private:
     std::uint16_t hint_{0}; ///< in one register, which small processors return best
 };
 
+} // namespace detail
+
 /// The rules of the functions that have codes up to 24, one byte each, and of the others.
 /// Internal.
 namespace length_rules {
 
 inline constexpr std::size_t in_table = 25;
 
-template <typename Function> inline constexpr bool is_in_table = to_u8(function_row<Function>::code) < in_table;
+template <typename Function>
+inline constexpr bool is_in_table = detail::to_u8(detail::function_row<Function>::code) < in_table;
 
 template <typename... Functions>
 [[nodiscard]] consteval std::array<std::uint8_t, in_table> table_of(function_list<Functions...>,
-                                                                    std::uint8_t frame_rules::*way) noexcept
+                                                                    std::uint8_t detail::frame_rules::*way) noexcept
 {
     std::array<std::uint8_t, in_table> rules{};
-    auto const put = [&](function_code code, frame_rules const& of) {
-        if (to_u8(code) < in_table) {
-            rules[to_u8(code)] = of.*way;
+    auto const put = [&](function_code code, detail::frame_rules const& of) {
+        if (detail::to_u8(code) < in_table) {
+            rules[detail::to_u8(code)] = of.*way;
         }
     };
-    (put(function_row<Functions>::code, function_row<Functions>::rules), ...);
+    (put(detail::function_row<Functions>::code, detail::function_row<Functions>::rules), ...);
     return rules;
 }
 
-template <typename Functions> inline constexpr auto requests = table_of(Functions{}, &frame_rules::request);
-template <typename Functions> inline constexpr auto responses = table_of(Functions{}, &frame_rules::response);
+template <typename Functions> inline constexpr auto requests = table_of(Functions{}, &detail::frame_rules::request);
+template <typename Functions> inline constexpr auto responses = table_of(Functions{}, &detail::frame_rules::response);
 
 /// The rule of a function that is not in the table; an exception has one as a response.
 template <typename... Functions>
 [[nodiscard, gnu::always_inline]] constexpr std::uint8_t of_others(function_list<Functions...>, bool asks,
                                                                    std::uint8_t wire_code) noexcept
 {
-    bool const is_exception = (wire_code & exception_bit) != 0;
-    std::uint8_t rule = is_exception and not asks ? sized(length_rule::fixed, exception_adu_size) : std::uint8_t{0};
-    ((rule = not is_in_table<Functions> and wire_code == to_u8(function_row<Functions>::code)
-                 ? (asks ? function_row<Functions>::rules.request : function_row<Functions>::rules.response)
+    bool const is_exception = (wire_code & detail::exception_bit) != 0;
+    std::uint8_t rule = is_exception and not asks
+                            ? detail::sized(detail::length_rule::fixed, detail::exception_adu_size)
+                            : std::uint8_t{0};
+    ((rule = not is_in_table<Functions> and wire_code == detail::to_u8(detail::function_row<Functions>::code)
+                 ? (asks ? detail::function_row<Functions>::rules.request
+                         : detail::function_row<Functions>::rules.response)
                  : rule),
      ...);
     return rule;
@@ -148,15 +157,16 @@ template <typename... Functions>
 /// Whether a request of one of these functions may be the function alone: the response may begin with all of it.
 template <typename... Functions> [[nodiscard]] constexpr bool may_be_alone(function_list<Functions...>) noexcept
 {
-    return ((not is_in_table<Functions> or
-             function_row<Functions>::rules.request == sized(length_rule::fixed, min_adu_size)) or
+    return ((not is_in_table<Functions> or detail::function_row<Functions>::rules.request ==
+                                               detail::sized(detail::length_rule::fixed, min_adu_size)) or
             ...);
 }
 
 /// The rule of one function in one direction; `wire_code` is the byte behind the unit address.
-template <typename Functions> [[nodiscard]] constexpr std::uint8_t of(direction dir, std::uint8_t wire_code) noexcept
+template <typename Functions>
+[[nodiscard]] constexpr std::uint8_t of(detail::direction dir, std::uint8_t wire_code) noexcept
 {
-    bool const asks = dir == direction::request;
+    bool const asks = dir == detail::direction::request;
     if (wire_code >= in_table) {
         return of_others(Functions{}, asks, wire_code);
     }
@@ -165,17 +175,18 @@ template <typename Functions> [[nodiscard]] constexpr std::uint8_t of(direction 
 
 template <typename Function>
 inline constexpr bool
-    has_own = static_cast<length_rule>(function_row<Function>::rules.response& length_rule_bits) == length_rule::own;
+    has_own = static_cast<detail::length_rule>(
+                  detail::function_row<Function>::rules.response& detail::length_rule_bits) == detail::length_rule::own;
 
 /// What the one function says of its size that has a rule of its own; of several, the one with this code.
 template <typename First, typename... Others>
-[[nodiscard, gnu::always_inline]] constexpr raw_length own(function_list<First, Others...>, direction dir,
-                                                           byte_view adu) noexcept
+[[nodiscard, gnu::always_inline]] constexpr detail::raw_length own(function_list<First, Others...>,
+                                                                   detail::direction dir, byte_view adu) noexcept
 {
     if constexpr (has_own<First>) {
         bool const is_only = not(has_own<Others> or ...);
-        if (is_only or function_row<First>::code == static_cast<function_code>(to_u8(adu[1]))) {
-            return function_row<First>::length(dir, adu);
+        if (is_only or detail::function_row<First>::code == static_cast<function_code>(detail::to_u8(adu[1]))) {
+            return detail::function_row<First>::length(dir, adu);
         }
     }
     if constexpr (sizeof...(Others) > 0) {
@@ -187,8 +198,9 @@ template <typename First, typename... Others>
 
 } // namespace length_rules
 
+namespace detail {
+
 /// What the first bytes of an ADU say by their rule in the table.
-/// Internal.
 template <typename Functions>
 [[nodiscard, gnu::always_inline]] constexpr raw_length length_by_rule(direction dir, byte_view adu) noexcept
 {
@@ -226,7 +238,6 @@ template <typename Functions>
 
 /// Whether a request PDU, of one byte at least, has the size that its function's rule tells. A function whose rule does
 /// not tell it checks that itself.
-/// Internal.
 [[nodiscard]] constexpr bool has_size_of_rule(byte_view pdu) noexcept
 {
     std::uint8_t const rule = length_rules::of<public_functions>(direction::request, to_u8(pdu[0]));
@@ -242,7 +253,6 @@ template <typename Functions>
 
 /// What the first bytes of an ADU tell about its size. A size above 256 is never returned: such a frame ends
 /// by silence and is refused; so does that of a function that is not among `Functions`.
-/// Internal.
 template <typename Functions = public_functions>
 [[nodiscard]] constexpr length_hint frame_length(direction dir, byte_view adu) noexcept
 {
@@ -253,12 +263,13 @@ template <typename Functions = public_functions>
 /// The size alone, for a caller that checks whether so many bytes are there. A size above 256 is returned as
 /// 1, which no frame has: such a frame ends by silence and is refused. Force-inlined: the direction is
 /// constant at each call, so half of it is dropped (60 to 80 bytes).
-/// Internal.
 template <typename Functions = public_functions>
 [[nodiscard, gnu::always_inline]] constexpr std::size_t size_hint(direction dir, byte_view adu) noexcept
 {
     std::size_t const size = length_by_rule<Functions>(dir, adu).size;
     return size > max_adu_size ? 1 : size;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -15,10 +15,14 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 inline constexpr std::size_t min_adu_size = 4;   ///< unit, function, CRC (SL 2.5.1.1)
 inline constexpr std::size_t max_adu_size = 256; ///< SL 2.5.1.1
 inline constexpr std::size_t max_pdu_size = 253; ///< AP 4.1
+
+namespace detail {
+
 /// Internal.
-inline constexpr std::size_t adu_overhead = 3; ///< unit in front, two bytes of CRC behind
-/// Internal.
+inline constexpr std::size_t adu_overhead = 3;       ///< unit in front, two bytes of CRC behind
 inline constexpr std::size_t exception_adu_size = 5; ///< AP 7
+
+} // namespace detail
 
 inline constexpr std::uint16_t max_bit_quantity = 2000;           ///< AP 6.1, 6.2
 inline constexpr std::uint16_t max_bit_write_quantity = 1968;     ///< AP 6.11
@@ -38,8 +42,9 @@ struct device_limits {
     friend constexpr bool operator==(device_limits const&, device_limits const&) = default;
 };
 
+namespace detail {
+
 /// Whether a quantity lies in 1..limit.
-/// Internal.
 [[nodiscard]] constexpr bool is_quantity(std::size_t quantity, std::size_t limit) noexcept
 {
     return quantity - 1U < limit; // 0 wraps: one comparison
@@ -47,10 +52,11 @@ struct device_limits {
 
 /// Whether `quantity` registers from `start` end at 65535 or before; computed in 32 bits, so that
 /// no sum wraps.
-/// Internal.
 [[nodiscard]] constexpr bool is_address_range(std::uint16_t start, std::size_t quantity) noexcept
 {
     return quantity <= 0x1'0000U - std::uint32_t{start};
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -15,8 +15,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 struct mask_write_register {
     using response = mask_write_register;
     static constexpr function_code code = function_code::mask_write_register;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 10), sized(length_rule::fixed, 10),
-                                       answer_rule::whole};
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::fixed, 10),
+                                               detail::sized(detail::length_rule::fixed, 10),
+                                               detail::answer_rule::whole};
     static constexpr std::size_t max_size = 7;
     static constexpr bool may_be_broadcast = true;
 
@@ -34,17 +35,17 @@ struct mask_write_register {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        write_head(out, code, address, and_mask);
+        detail::write_head(out, code, address, and_mask);
         out.u16(or_mask);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<mask_write_register> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
-        return mask_write_register{u16_at(pdu, 1), u16_at(pdu, 3), u16_at(pdu, 5)};
+        return mask_write_register{detail::u16_at(pdu, 1), detail::u16_at(pdu, 3), detail::u16_at(pdu, 5)};
     }
 
     /// Answers a request.
@@ -52,7 +53,7 @@ struct mask_write_register {
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        std::uint16_t const address = u16_at(pdu.bytes, 1);
+        std::uint16_t const address = detail::u16_at(pdu.bytes, 1);
         if (errc const wrong = at.bank.check_read(address, 1); wrong != errc::none) {
             return wrong;
         }
@@ -65,8 +66,8 @@ struct mask_write_register {
         if (out.size() != place.size()) {
             return errc::server_device_failure;
         }
-        mask_write_register const asked{address, u16_at(pdu.bytes, 3), u16_at(pdu.bytes, 5)};
-        put_u16(place.data(), asked.applied_to(u16_at(place, 0)));
+        mask_write_register const asked{address, detail::u16_at(pdu.bytes, 3), detail::u16_at(pdu.bytes, 5)};
+        detail::put_u16(place.data(), asked.applied_to(detail::u16_at(place, 0)));
         register_view const value{place};
         if (errc const wrong = at.bank.check_write(address, value); wrong != errc::none) {
             return wrong;

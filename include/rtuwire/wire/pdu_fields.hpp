@@ -10,7 +10,6 @@
 // is the response behind a byte count, which the server writes; where it appends nothing, the response stands in the
 // memory. It returns the exception to send, or none. The request has the size that the function's length rule tells,
 // where it tells one.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -21,6 +20,8 @@
 #include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Whether a run of `count` from `start` may be asked: `invalid_quantity`, `invalid_address_range` or none.
 [[nodiscard]] constexpr errc check_run(std::uint16_t start, std::size_t count, std::size_t most) noexcept
@@ -103,7 +104,11 @@ template <typename Response>
     return Response{register_view{byte_view{pdu.data() + head, bytes}}};
 }
 
+} // namespace detail
+
 static_assert(max_exchange_read_quantity == max_read_quantity, "functions 03 and 23 read as many registers");
+
+namespace detail {
 
 /// A response to function 03, 04 or 23: 1 to 125 registers behind a byte count.
 template <function_code Function> struct registers_response {
@@ -150,5 +155,7 @@ template <function_code Function, std::uint16_t Most> struct written_run_respons
 
     friend constexpr bool operator==(written_run_response const&, written_run_response const&) = default;
 };
+
+} // namespace detail
 
 } // namespace rtuwire

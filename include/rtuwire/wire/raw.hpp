@@ -25,46 +25,49 @@ struct exception_response {
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return to_u8(function) >= exception_bit ? errc::invalid_function : errc::none;
+        return detail::to_u8(function) >= detail::exception_bit ? errc::invalid_function : errc::none;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(std::uint32_t{to_u8(function)} | exception_bit);
+        out.u8(std::uint32_t{detail::to_u8(function)} | detail::exception_bit);
         out.u8(code);
     }
 
     /// The code as an error; `unlisted_exception` where it is 0 or from 7F.
-    [[nodiscard]] constexpr errc error() const noexcept { return exception_error(code); }
+    [[nodiscard]] constexpr errc error() const noexcept { return detail::exception_error(code); }
 
     /// Reads a PDU. Errors: `wrong_function` where the exception bit is not set, `wrong_length`.
     [[nodiscard]] static constexpr result<exception_response> decode(byte_view pdu) noexcept
     {
-        if (pdu.empty() or (to_u8(pdu[0]) & exception_bit) == 0) {
+        if (pdu.empty() or (detail::to_u8(pdu[0]) & detail::exception_bit) == 0) {
             return errc::wrong_function;
         }
         if (pdu.size() != max_size) {
             return errc::wrong_length;
         }
-        return exception_response{static_cast<function_code>(to_u8(pdu[0]) & 0x7FU), to_u8(pdu[1])};
+        return exception_response{static_cast<function_code>(detail::to_u8(pdu[0]) & 0x7FU), detail::to_u8(pdu[1])};
     }
 
     friend constexpr bool operator==(exception_response const&, exception_response const&) = default;
 };
 
+namespace detail {
+
 /// The most data bytes that a raw PDU can have.
-/// Internal.
 template <typename Bytes> inline constexpr std::size_t raw_bytes_at_most = max_pdu_size - 1U;
 template <std::size_t Size>
 inline constexpr std::size_t raw_bytes_at_most<std::array<std::byte, Size>> =
     Size < max_pdu_size - 1U ? Size : max_pdu_size - 1U;
+
+} // namespace detail
 
 /// A request or response of a function that rtuwire does not know. It goes to one unit, because only the
 /// caller knows whether it needs a response. Made of an array, it owns that array; made of a view, its bytes
 /// are stored elsewhere.
 template <typename Bytes = byte_view> struct raw_pdu {
     using response = raw_pdu<>;
-    static constexpr std::size_t max_size = 1U + raw_bytes_at_most<Bytes>;
+    static constexpr std::size_t max_size = 1U + detail::raw_bytes_at_most<Bytes>;
 
     function_code function; ///< 1..127
     Bytes data;             ///< up to 252
@@ -78,7 +81,7 @@ template <typename Bytes = byte_view> struct raw_pdu {
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        if (to_u8(function) == 0 or to_u8(function) >= exception_bit) {
+        if (detail::to_u8(function) == 0 or detail::to_u8(function) >= detail::exception_bit) {
             return errc::invalid_function;
         }
         return size() > max_pdu_size ? errc::frame_too_long : errc::none;
@@ -86,7 +89,7 @@ template <typename Bytes = byte_view> struct raw_pdu {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 1 + data.size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(function));
+        out.u8(detail::to_u8(function));
         out.bytes(data);
     }
 
@@ -95,7 +98,7 @@ template <typename Bytes = byte_view> struct raw_pdu {
     /// Internal.
     [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
     {
-        return check_beside_client(public_functions{}, request_pdu, response_pdu);
+        return detail::check_beside_client(public_functions{}, request_pdu, response_pdu);
     }
 
     /// Reads a PDU. Errors: `wrong_length` when empty, `invalid_function` outside 1..127.
@@ -104,7 +107,7 @@ template <typename Bytes = byte_view> struct raw_pdu {
         if (pdu.empty()) {
             return errc::wrong_length;
         }
-        raw_pdu<> const read{static_cast<function_code>(to_u8(pdu[0])), pdu.subspan(1)};
+        raw_pdu<> const read{static_cast<function_code>(detail::to_u8(pdu[0])), pdu.subspan(1)};
         if (errc const wrong = read.check(); wrong != errc::none) {
             return wrong;
         }
@@ -118,7 +121,7 @@ template <std::size_t Size> raw_pdu(function_code, std::array<std::byte, Size>) 
 template <typename Left, typename Right>
 constexpr bool operator==(raw_pdu<Left> const& left, raw_pdu<Right> const& right) noexcept
 {
-    return left.function == right.function and same_bytes(left.data, right.data);
+    return left.function == right.function and detail::same_bytes(left.data, right.data);
 }
 
 } // namespace rtuwire

@@ -13,54 +13,56 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The response to function 03: as many `registers` as were requested.
-using read_holding_registers_response = registers_response<function_code::read_holding_registers>;
+using read_holding_registers_response = detail::registers_response<function_code::read_holding_registers>;
 
 /// Reads `count` registers of one unit from address `start`.
 struct read_holding_registers {
     using response = read_holding_registers_response;
     static constexpr function_code code = function_code::read_holding_registers;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 8), sized(length_rule::byte_count, 5),
-                                       answer_rule::registers};
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::fixed, 8),
+                                               detail::sized(detail::length_rule::byte_count, 5),
+                                               detail::answer_rule::registers};
     static constexpr std::size_t max_size = 5;
 
     std::uint16_t start;
     std::uint16_t count; ///< 1..125
 
-    [[nodiscard]] constexpr errc check() const noexcept { return check_run(start, count, max_read_quantity); }
+    [[nodiscard]] constexpr errc check() const noexcept { return detail::check_run(start, count, max_read_quantity); }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { write_head(out, code, start, count); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_head(out, code, start, count); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
     [[nodiscard]] static constexpr result<read_holding_registers> decode(byte_view pdu) noexcept
     {
-        return decode_run<read_holding_registers>(pdu, max_read_quantity);
+        return detail::decode_run<read_holding_registers>(pdu, max_read_quantity);
     }
 
     friend constexpr bool operator==(read_holding_registers const&, read_holding_registers const&) = default;
 };
 
 /// The response to function 04: as many `registers` as were requested.
-using read_input_registers_response = registers_response<function_code::read_input_registers>;
+using read_input_registers_response = detail::registers_response<function_code::read_input_registers>;
 
 /// Reads `count` input registers of one unit from address `start`.
 struct read_input_registers {
     using response = read_input_registers_response;
     static constexpr function_code code = function_code::read_input_registers;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 8), sized(length_rule::byte_count, 5),
-                                       answer_rule::registers};
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::fixed, 8),
+                                               detail::sized(detail::length_rule::byte_count, 5),
+                                               detail::answer_rule::registers};
     static constexpr std::size_t max_size = 5;
 
     std::uint16_t start;
     std::uint16_t count; ///< 1..125
 
-    [[nodiscard]] constexpr errc check() const noexcept { return check_run(start, count, max_read_quantity); }
+    [[nodiscard]] constexpr errc check() const noexcept { return detail::check_run(start, count, max_read_quantity); }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { write_head(out, code, start, count); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_head(out, code, start, count); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
     [[nodiscard]] static constexpr result<read_input_registers> decode(byte_view pdu) noexcept
     {
-        return decode_run<read_input_registers>(pdu, max_read_quantity);
+        return detail::decode_run<read_input_registers>(pdu, max_read_quantity);
     }
 
     /// Whether a bank has what this function serves.
@@ -74,7 +76,8 @@ struct read_input_registers {
 struct write_single_register {
     using response = write_single_register;
     static constexpr function_code code = function_code::write_single_register;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 8), sized(length_rule::fixed, 8), answer_rule::head};
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::fixed, 8),
+                                               detail::sized(detail::length_rule::fixed, 8), detail::answer_rule::head};
     static constexpr std::size_t max_size = 5;
     static constexpr bool may_be_broadcast = true;
 
@@ -83,15 +86,15 @@ struct write_single_register {
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { write_head(out, code, address, value); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_head(out, code, address, value); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<write_single_register> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
-        return write_single_register{u16_at(pdu, 1), u16_at(pdu, 3)};
+        return write_single_register{detail::u16_at(pdu, 1), detail::u16_at(pdu, 3)};
     }
 
     friend constexpr bool operator==(write_single_register const&, write_single_register const&) = default;
@@ -99,27 +102,30 @@ struct write_single_register {
 
 /// The response to function 16: `start` and `count` of what was written, without the values.
 using write_multiple_registers_response =
-    written_run_response<function_code::write_multiple_registers, max_write_quantity>;
+    detail::written_run_response<function_code::write_multiple_registers, max_write_quantity>;
 
 /// Writes registers from address `start` on, of one unit or of all. Made of a block, it owns that block; made
 /// of a view, its words are stored elsewhere.
 template <typename Words = register_view> struct write_multiple_registers {
     using response = write_multiple_registers_response;
     static constexpr function_code code = function_code::write_multiple_registers;
-    static constexpr frame_rules rules{sized(length_rule::byte_count, 9), sized(length_rule::fixed, 8),
-                                       answer_rule::head};
-    static constexpr std::size_t max_size = 6U + bytes_at_most<Words, max_write_quantity>;
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::byte_count, 9),
+                                               detail::sized(detail::length_rule::fixed, 8), detail::answer_rule::head};
+    static constexpr std::size_t max_size = 6U + detail::bytes_at_most<Words, max_write_quantity>;
     static constexpr bool may_be_broadcast = true;
 
     std::uint16_t start;
     /// 1..123 in wire order; after decoding, a view of the received bytes.
     Words values;
 
-    [[nodiscard]] constexpr errc check() const noexcept { return check_run(start, values.size(), max_write_quantity); }
+    [[nodiscard]] constexpr errc check() const noexcept
+    {
+        return detail::check_run(start, values.size(), max_write_quantity);
+    }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 6 + values.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        write_head(out, code, start, static_cast<std::uint32_t>(values.size()));
+        detail::write_head(out, code, start, static_cast<std::uint32_t>(values.size()));
         out.u8(static_cast<std::uint32_t>(values.bytes().size()));
         out.bytes(values.bytes());
     }
@@ -129,20 +135,20 @@ template <typename Words = register_view> struct write_multiple_registers {
     [[nodiscard]] static constexpr result<write_multiple_registers<>> decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 6;
-        if (not is_pdu_of(pdu, code)) {
+        if (not detail::is_pdu_of(pdu, code)) {
             return errc::wrong_function;
         }
-        if (pdu.size() < head or pdu.size() != head + to_u8(pdu[5])) {
+        if (pdu.size() < head or pdu.size() != head + detail::to_u8(pdu[5])) {
             return errc::wrong_length;
         }
-        std::size_t const count = u16_at(pdu, 3);
-        if (not is_quantity(count, max_write_quantity)) {
+        std::size_t const count = detail::u16_at(pdu, 3);
+        if (not detail::is_quantity(count, max_write_quantity)) {
             return errc::invalid_quantity;
         }
         if (pdu.size() != head + 2 * count) {
             return errc::wrong_length;
         }
-        return write_multiple_registers<>{u16_at(pdu, 1), register_view{pdu.subspan(head)}};
+        return write_multiple_registers<>{detail::u16_at(pdu, 1), register_view{pdu.subspan(head)}};
     }
 };
 
@@ -154,7 +160,7 @@ template <typename Left, typename Right>
 constexpr bool operator==(write_multiple_registers<Left> const& left,
                           write_multiple_registers<Right> const& right) noexcept
 {
-    return left.start == right.start and same_bytes(left.values.bytes(), right.values.bytes());
+    return left.start == right.start and detail::same_bytes(left.values.bytes(), right.values.bytes());
 }
 
 } // namespace rtuwire

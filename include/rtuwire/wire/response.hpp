@@ -15,8 +15,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// How the functions that have codes up to 24 answer, one byte each.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] consteval std::array<answer_rule, length_rules::in_table> answers_of(function_list<Functions...>) noexcept
 {
@@ -28,11 +29,9 @@ template <typename... Functions>
      ...);
     return answers;
 }
-/// Internal.
 template <typename Functions> inline constexpr auto answer_rules = answers_of(Functions{});
 
 /// How a function answers that is not in the table.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] constexpr answer_rule answer_of_others(function_list<Functions...>, std::uint8_t code) noexcept
 {
@@ -45,7 +44,6 @@ template <typename... Functions>
 }
 
 /// How the function with this code answers.
-/// Internal.
 template <typename Functions>
 [[nodiscard, gnu::always_inline]] constexpr answer_rule answer_of(std::uint8_t code) noexcept
 {
@@ -53,21 +51,18 @@ template <typename Functions>
 }
 
 /// Whether the quantity of a request gives the size of its response.
-/// Internal.
 [[nodiscard]] constexpr bool counts_by_quantity(answer_rule rule) noexcept
 {
     return rule == answer_rule::registers or rule == answer_rule::bits;
 }
 
 /// The bytes behind the byte count of a response that answers a quantity; 0 for another rule.
-/// Internal.
 [[nodiscard]] constexpr std::size_t answer_bytes(answer_rule rule, std::size_t quantity) noexcept
 {
     return rule == answer_rule::registers ? 2 * quantity : rule == answer_rule::bits ? bytes_of_bits(quantity) : 0;
 }
 
 /// Of the functions with this code that repeat part of a request: how many bytes of it.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] constexpr std::size_t repeated_by(function_list<Functions...>, std::uint8_t code,
                                                 byte_view request_pdu) noexcept
@@ -84,7 +79,6 @@ template <typename... Functions>
 
 /// The shortest request PDU with which a response may be compared: 4 bytes, or the shortest request of a function that
 /// has a check of its own.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] consteval std::size_t shortest_checked(function_list<Functions...>, std::size_t usual) noexcept
 {
@@ -99,7 +93,6 @@ template <typename... Functions>
 }
 
 /// What the function with this code finds that has a check of its own.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] constexpr errc check_by_own(function_list<Functions...>, std::uint8_t code, byte_view request_pdu,
                                           byte_view response_pdu) noexcept
@@ -121,7 +114,6 @@ template <typename... Functions>
 }
 
 /// Whether the response to a request tells its own end, of the functions that have a length of their own.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] constexpr bool tells_end_by_own(function_list<Functions...>, byte_view request_adu) noexcept
 {
@@ -138,7 +130,6 @@ template <typename... Functions>
 }
 
 /// Of the functions with this code that tell the size of the response to a request: that size, or the largest possible.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] constexpr std::size_t longest_by_own(function_list<Functions...>, std::uint8_t code,
                                                    byte_view request_adu) noexcept
@@ -156,7 +147,6 @@ template <typename... Functions>
 
 /// The size of the longest response to a request, an ADU; final where the response's bytes tell its end, so
 /// that no silence need follow. Where the request does not tell the size it is the largest possible.
-/// Internal.
 template <typename Functions = public_functions>
 [[nodiscard]] constexpr length_hint longest_response(byte_view request_adu) noexcept
 {
@@ -188,7 +178,6 @@ template <typename Functions = public_functions>
 }
 
 /// The size alone.
-/// Internal.
 template <typename Functions = public_functions>
 [[nodiscard]] constexpr std::size_t response_size(byte_view request_adu) noexcept
 {
@@ -196,7 +185,6 @@ template <typename Functions = public_functions>
 }
 
 /// How many bytes a response should have: what its request gives, else what its own first bytes give; 0 where neither does.
-/// Internal.
 template <typename Functions = public_functions>
 [[nodiscard]] constexpr std::size_t due_size(byte_view request_adu, byte_view response_adu) noexcept
 {
@@ -208,7 +196,6 @@ template <typename Functions = public_functions>
 
 /// Compares the fields of a normal response with its request; both PDUs are of one function. Inlined in
 /// `check_response`, where it is smaller than a separate function.
-/// Internal.
 template <typename Functions = public_functions>
 [[nodiscard, gnu::always_inline]] constexpr errc check_fields(byte_view request_pdu, byte_view response_pdu) noexcept
 {
@@ -243,6 +230,8 @@ template <typename Functions = public_functions>
     return repeats(request_pdu, response_pdu, same) ? errc::none : errc::response_mismatch;
 }
 
+} // namespace detail
+
 /// Whether `response`, whose CRC was right, answers the request in `request_adu`, a frame that was encoded
 /// here. The error is the exception when the server refused; `line_echo` when the frame is the request
 /// itself; `wrong_unit`, `wrong_function`, `wrong_length`, `response_mismatch` or `malformed` when it does
@@ -250,22 +239,23 @@ template <typename Functions = public_functions>
 template <typename Functions = public_functions>
 [[nodiscard]] constexpr errc check_response(byte_view const& request_adu, adu const& response) noexcept
 {
-    if (response.unit() != to_u8(request_adu[0])) {
+    if (response.unit() != detail::to_u8(request_adu[0])) {
         return errc::wrong_unit;
     }
-    byte_view const request_pdu = pdu_of(request_adu);
+    byte_view const request_pdu = detail::pdu_of(request_adu);
     byte_view const response_pdu = response.pdu();
-    if (to_u8(response.function()) != to_u8(request_pdu[0])) {
+    if (detail::to_u8(response.function()) != detail::to_u8(request_pdu[0])) {
         return errc::wrong_function;
     }
     if (response.is_exception()) {
-        return response_pdu.size() == 2 ? exception_error(to_u8(response_pdu[1])) : errc::wrong_length;
+        return response_pdu.size() == 2 ? detail::exception_error(detail::to_u8(response_pdu[1])) : errc::wrong_length;
     }
-    errc const wrong = check_fields<Functions>(request_pdu, response_pdu);
+    errc const wrong = detail::check_fields<Functions>(request_pdu, response_pdu);
     // A request for bits may look like its own response: 01 01 03 00 00 11 begins one of three bytes. Where nothing is
     // compared, any request does.
-    bool const is_doubtful = wrong != errc::none or answer_of<Functions>(to_u8(request_pdu[0])) >= answer_rule::bits;
-    bool const is_own = is_doubtful and same_bytes(request_adu, response.bytes());
+    bool const is_doubtful =
+        wrong != errc::none or detail::answer_of<Functions>(detail::to_u8(request_pdu[0])) >= detail::answer_rule::bits;
+    bool const is_own = is_doubtful and detail::same_bytes(request_adu, response.bytes());
     return is_own ? errc::line_echo : wrong;
 }
 

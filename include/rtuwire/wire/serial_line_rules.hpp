@@ -30,16 +30,15 @@ template <typename Words = register_view> struct write_file_record; // <rtuwire/
 struct read_fifo_queue;                                             // <rtuwire/serial_line.hpp>
 struct read_device_identification;                                  // <rtuwire/serial_line.hpp>
 
+namespace detail {
+
 /// Where a function's row stands: in the class of its request, or here.
-/// Internal.
 template <typename Function> struct function_row_of {
     using type = Function;
 };
-/// Internal.
 template <typename Function> using function_row = typename function_row_of<Function>::type;
 
 /// The code and the rules of a function.
-/// Internal.
 template <function_code Code, std::uint8_t Request, std::uint8_t Response, answer_rule Answers> struct plain_row {
     static constexpr function_code code = Code;
     static constexpr frame_rules rules{Request, Response, Answers};
@@ -66,6 +65,8 @@ template <typename Words> struct function_row_of<write_file_record<Words>> {
                            sized(length_rule::byte_count, 5), answer_rule::whole>;
 };
 
+} // namespace detail
+
 /// The sub-functions of AP 6.8.1.
 enum class subfunction : std::uint16_t {
     return_query_data = 0x00,
@@ -85,8 +86,9 @@ enum class subfunction : std::uint16_t {
     clear_overrun_counter = 0x14,
 };
 
+namespace detail {
+
 /// Whether the data of a normal response are those of its request (AP 6.8.1); the others count or report.
-/// Internal.
 [[nodiscard]] constexpr bool repeats_data(subfunction what) noexcept
 {
     return what == subfunction::return_query_data or what == subfunction::restart_communications or
@@ -95,7 +97,6 @@ enum class subfunction : std::uint16_t {
 }
 
 /// Function 08.
-/// Internal.
 struct diagnostics_row : plain_row<function_code::diagnostics, sized(length_rule::subfunction, 8),
                                    sized(length_rule::subfunction, 8), answer_rule::partly> {
     /// How many bytes of a request of 4 or more its response repeats.
@@ -109,13 +110,10 @@ template <typename Words> struct function_row_of<diagnostics<Words>> {
 };
 
 /// The byte in front of each run of records of a file, and a run's head: reference, file, record, count.
-/// Internal.
 inline constexpr std::uint8_t file_reference = 6;
-/// Internal.
 inline constexpr std::size_t file_run_size = 7;
 
 /// Function 20.
-/// Internal.
 struct file_read_row : plain_row<function_code::read_file_record, sized(length_rule::byte_count, 5),
                                  sized(length_rule::byte_count, 5), answer_rule::nothing> {
     /// The size of the longest response to a request, both ADUs: known of one run.
@@ -146,7 +144,6 @@ template <typename Runs> struct function_row_of<read_file_record<Runs>> {
 };
 
 /// Function 24.
-/// Internal.
 struct fifo_queue_row : plain_row<function_code::read_fifo_queue, sized(length_rule::fixed, 6),
                                   sized(length_rule::word_count, 6), answer_rule::nothing> {
     static constexpr std::size_t head = 5, most = 31;
@@ -165,12 +162,10 @@ template <> struct function_row_of<read_fifo_queue> {
 };
 
 /// The type byte of read device identification within function 43.
-/// Internal.
 inline constexpr std::uint8_t identification_mei_type = 0x0E;
 
 /// How many objects (number, length and text of each) these bytes hold; 0 where the last one is incomplete or
 /// the numbers do not rise.
-/// Internal.
 [[nodiscard]] constexpr std::size_t objects_in(byte_view bytes) noexcept
 {
     std::byte const* at = bytes.data();
@@ -190,7 +185,6 @@ inline constexpr std::uint8_t identification_mei_type = 0x0E;
 }
 
 /// Function 43, of type 14.
-/// Internal.
 struct identification_row : plain_row<function_code::encapsulated_interface, sized(length_rule::own),
                                       sized(length_rule::own), answer_rule::own> {
     static constexpr std::size_t max_size = 4;           ///< of a request
@@ -266,5 +260,7 @@ struct identification_row : plain_row<function_code::encapsulated_interface, siz
 template <> struct function_row_of<read_device_identification> {
     using type = identification_row;
 };
+
+} // namespace detail
 
 } // namespace rtuwire

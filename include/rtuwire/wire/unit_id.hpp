@@ -17,9 +17,10 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void a_unit_address_is_1_to_247();
 
+namespace detail {
+
 /// A number in source code that is a unit address. A class of its own, because Clang 14 crashes on the second
 /// use of a class whose own constructor is consteval.
-/// Internal.
 class unit_number {
 public:
     consteval unit_number(int number) noexcept : byte_{static_cast<std::uint8_t>(number)}
@@ -35,11 +36,13 @@ private:
     std::uint8_t byte_;
 };
 
+} // namespace detail
+
 /// The address of one unit, 1..247.
 class unit_id {
 public:
     /// A unit address known at compile time: unit_id{7}.
-    explicit constexpr unit_id(unit_number number) noexcept : byte_{number.byte()} {}
+    explicit constexpr unit_id(detail::unit_number number) noexcept : byte_{number.byte()} {}
 
     /// A unit address known only at run time; `errc::invalid_unit` outside 1..247.
     [[nodiscard]] static constexpr result<unit_id> checked(std::uint32_t number) noexcept
@@ -62,13 +65,18 @@ private:
     std::uint8_t byte_;
 };
 
+namespace detail {
+
 /// Every unit on the line; none answers.
-/// Internal.
 struct broadcast_t {};
-inline constexpr broadcast_t broadcast{};
+
+} // namespace detail
+
+inline constexpr detail::broadcast_t broadcast{};
+
+namespace detail {
 
 /// One unit, or all of them: what a write may be sent to.
-/// Internal.
 class destination {
 public:
     constexpr destination(unit_id unit) noexcept : byte_{unit.byte()} {}
@@ -84,5 +92,7 @@ public:
 private:
     std::uint8_t byte_;
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -27,14 +27,17 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     a_failed_result_has_no_value(errc::invalid_address_range);
 }
 
+namespace detail {
+
 /// Checks that there is a register at this index among `count`, where `is_misuse_caught()`.
-/// Internal.
 constexpr void require_register(std::size_t index, std::size_t count) noexcept
 {
     if (is_misuse_caught() and index >= count) {
         there_is_no_such_register();
     }
 }
+
+} // namespace detail
 
 /// A view of big-endian 16-bit registers; valid as long as its bytes.
 class register_view {
@@ -52,8 +55,8 @@ public:
     /// result.
     [[nodiscard]] constexpr std::uint16_t operator[](std::size_t index) const noexcept
     {
-        require_register(index, size());
-        return u16_at(bytes_, index * 2);
+        detail::require_register(index, size());
+        return detail::u16_at(bytes_, index * 2);
     }
 
     /// Copies the registers into words of this machine; returns how many there were. Where `words` has no
@@ -83,7 +86,7 @@ public:
 
     friend constexpr bool operator==(register_view left, register_view right) noexcept
     {
-        return same_bytes(left.bytes_, right.bytes_);
+        return detail::same_bytes(left.bytes_, right.bytes_);
     }
 
 private:
@@ -91,7 +94,7 @@ private:
     static constexpr void copy_four(std::byte const* from, std::uint16_t* to) noexcept
     {
         constexpr std::uint64_t low_bytes = 0x00FF'00FF'00FF'00FF;
-        std::uint64_t const bytes = word_at(from);
+        std::uint64_t const bytes = detail::word_at(from);
         std::uint64_t const words = (bytes & low_bytes) << 8U | (bytes >> 8U & low_bytes);
         auto const four = std::bit_cast<std::array<std::uint16_t, 4>>(words);
         to[0] = four[0];
@@ -122,14 +125,14 @@ public:
     /// The register at an index below `Count`; any other is misuse, as in a view.
     [[nodiscard]] constexpr std::uint16_t operator[](std::size_t index) const noexcept
     {
-        require_register(index, Count);
-        return u16_at(bytes_, index * 2);
+        detail::require_register(index, Count);
+        return detail::u16_at(bytes_, index * 2);
     }
 
     /// Replaces the register at an index below `Count`; any other is misuse, as in a view.
     constexpr void set(std::size_t index, std::uint16_t value) noexcept
     {
-        require_register(index, Count);
+        detail::require_register(index, Count);
         byte_writer{byte_span{bytes_}.subspan(index * 2, 2)}.u16(value);
     }
 
@@ -155,26 +158,24 @@ private:
 
 template <typename... Values> register_block(Values...) -> register_block<sizeof...(Values)>;
 
+namespace detail {
+
 /// The most bytes that a request's words can have, where its function allows `Most` registers. A request owns
 /// its words, a `register_block`, or has a `register_view` of words that are stored elsewhere.
-/// Internal.
 template <typename Words, std::size_t Most> inline constexpr std::size_t bytes_at_most = 2 * Most;
 template <std::size_t Count, std::size_t Most>
 inline constexpr std::size_t bytes_at_most<register_block<Count>, Most> = 2 * (Count < Most ? Count : Most);
 
 /// The bytes that so many bits take.
-/// Internal.
 [[nodiscard]] constexpr std::size_t bytes_of_bits(std::size_t count) noexcept { return (count + 7) / 8; }
 
 /// The bit at an index of bytes in wire order; the caller has checked that it is there.
-/// Internal.
 [[nodiscard]] constexpr bool bit_at(byte_view bytes, std::size_t index) noexcept
 {
     return ((std::uint32_t{to_u8(bytes[index / 8])} >> (index % 8)) & 1U) != 0;
 }
 
 /// Sets that bit.
-/// Internal.
 constexpr void put_bit(byte_span bytes, std::size_t index, bool value) noexcept
 {
     std::byte const mask = to_byte(std::uint32_t{1} << (index % 8));
@@ -182,7 +183,6 @@ constexpr void put_bit(byte_span bytes, std::size_t index, bool value) noexcept
 }
 
 /// Copies `count` bits from one place to another; the caller has checked that they are there.
-/// Internal.
 constexpr void copy_bits(byte_span to, std::size_t to_at, byte_view from, std::size_t from_at,
                          std::size_t count) noexcept
 {
@@ -190,6 +190,8 @@ constexpr void copy_bits(byte_span to, std::size_t to_at, byte_view from, std::s
         put_bit(to, to_at++, bit_at(from, from_at++));
     }
 }
+
+} // namespace detail
 
 /// A view of bits; valid as long as its bytes.
 class bit_view {
@@ -207,19 +209,19 @@ public:
     /// The bit at an index below `size()`; any other index is misuse, as in a `register_view`.
     [[nodiscard]] constexpr bool operator[](std::size_t index) const noexcept
     {
-        require_register(index, count_);
-        return bit_at(bytes_, index);
+        detail::require_register(index, count_);
+        return detail::bit_at(bytes_, index);
     }
 
     /// The bytes that hold them.
-    [[nodiscard]] constexpr byte_view bytes() const noexcept { return bytes_.first(bytes_of_bits(count_)); }
+    [[nodiscard]] constexpr byte_view bytes() const noexcept { return bytes_.first(detail::bytes_of_bits(count_)); }
 
     /// Whether they are the same bits, whatever stands behind the last one.
     friend constexpr bool operator==(bit_view left, bit_view right) noexcept
     {
         bool is_same = left.count_ == right.count_;
         for (std::size_t i = 0; is_same and i < left.count_; ++i) {
-            is_same = bit_at(left.bytes_, i) == bit_at(right.bytes_, i);
+            is_same = detail::bit_at(left.bytes_, i) == detail::bit_at(right.bytes_, i);
         }
         return is_same;
     }
@@ -240,7 +242,7 @@ public:
     constexpr bit_block(Values... values) noexcept
     {
         std::size_t index = 0;
-        (put_bit(bytes_, index++, values), ...);
+        (detail::put_bit(bytes_, index++, values), ...);
     }
 
     [[nodiscard]] static constexpr std::size_t size() noexcept { return Count; }
@@ -248,15 +250,15 @@ public:
     /// The bit at an index below `Count`; any other is misuse.
     [[nodiscard]] constexpr bool operator[](std::size_t index) const noexcept
     {
-        require_register(index, Count);
-        return bit_at(bytes_, index);
+        detail::require_register(index, Count);
+        return detail::bit_at(bytes_, index);
     }
 
     /// Replaces the bit at an index below `Count`; any other is misuse.
     constexpr void set(std::size_t index, bool value) noexcept
     {
-        require_register(index, Count);
-        put_bit(bytes_, index, value);
+        detail::require_register(index, Count);
+        detail::put_bit(bytes_, index, value);
     }
 
     /// The bits, valid while the block lives: a temporary block gives no view.
@@ -272,7 +274,7 @@ public:
     friend constexpr bool operator==(bit_block const&, bit_block const&) = default;
 
 private:
-    std::array<std::byte, bytes_of_bits(Count)> bytes_{};
+    std::array<std::byte, detail::bytes_of_bits(Count)> bytes_{};
 };
 
 template <std::same_as<bool>... Values> bit_block(Values...) -> bit_block<sizeof...(Values)>;

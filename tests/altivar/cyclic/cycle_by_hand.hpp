@@ -14,6 +14,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// Status words of a drive under remote control.
 inline constexpr std::uint16_t not_ready = 0x0200, switch_on_disabled = 0x0250, ready = 0x0231;
 inline constexpr std::uint16_t switched_on = 0x0233, running = 0x0237, quick_stop_active = 0x0217;

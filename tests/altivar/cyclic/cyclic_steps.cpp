@@ -9,6 +9,7 @@
 #include <rtuwire/altivar/atv12.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using namespace rtuwire::test;
 

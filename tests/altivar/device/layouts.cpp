@@ -15,6 +15,7 @@
 #include <rtuwire/altivar/atv320.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using cia402::state_machine_options;
 

@@ -12,6 +12,7 @@
 #include <rtuwire/table/setting.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -16,6 +16,7 @@
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

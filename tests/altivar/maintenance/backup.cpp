@@ -12,6 +12,7 @@
 #include <rtuwire/altivar/maintenance/compare.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using namespace rtuwire::test;
 

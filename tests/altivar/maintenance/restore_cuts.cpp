@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using namespace rtuwire::test;
 using told = restore_outcome;

@@ -19,6 +19,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// A descriptor without its type, and whether a typed write takes a word of it.
 struct described {
     literal code;

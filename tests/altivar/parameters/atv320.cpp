@@ -11,6 +11,7 @@
 #include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

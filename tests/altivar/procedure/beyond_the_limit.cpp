@@ -16,6 +16,7 @@
 #include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using test::by_hand, test::disabled_word, test::enabled_word, test::fault_word;
 using kind = outcome_kind;

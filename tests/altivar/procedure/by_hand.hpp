@@ -11,6 +11,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// A conversation and a clock.
 template <typename Conversation> struct by_hand {
     Conversation conversation;

@@ -20,6 +20,7 @@
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using state = cia402::state;
 using transition = cia402::transition;

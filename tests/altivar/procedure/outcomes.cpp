@@ -22,6 +22,7 @@
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -21,6 +21,7 @@
 #include <rtuwire/client/client.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using kind = event::kind;
 

@@ -15,7 +15,8 @@
 #include "support/catch.hpp"
 
 using namespace rtuwire;
-using enum rtuwire::client_phase;
+using namespace rtuwire::detail;
+using enum rtuwire::detail::client_phase;
 using namespace test::client_table;
 
 namespace {

@@ -12,6 +12,7 @@
 #include <rtuwire/client/options.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

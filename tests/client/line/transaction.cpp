@@ -7,6 +7,7 @@
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::line;
 using test::manual_unit;
 using test::read_eta;

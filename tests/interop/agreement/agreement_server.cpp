@@ -9,6 +9,7 @@
 #include <rtuwire/server/blocking.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

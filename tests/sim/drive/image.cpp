@@ -15,6 +15,7 @@
 #include <rtuwire/table/table.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <rtuwire/sim/line/usb_adapter.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using sim::character;
 using sim::line_faults;
 

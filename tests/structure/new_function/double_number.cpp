@@ -18,6 +18,7 @@
 #include <rtuwire/wire/response.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using test::is;
 
 namespace {

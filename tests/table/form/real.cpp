@@ -20,6 +20,7 @@
 #include <rtuwire/table/form/real_text.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

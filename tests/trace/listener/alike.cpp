@@ -13,6 +13,7 @@
 #include <rtuwire/wire/adu.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include "support/random.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using rtuwire::test::is_refused;
 using rtuwire::test::survives;
 

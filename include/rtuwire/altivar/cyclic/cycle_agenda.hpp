@@ -63,10 +63,10 @@ public:
     }
 
     /// Each reported once: what a read found of the motor's power; the next request waits for a period.
-    constexpr power_seen take_power() noexcept
+    constexpr detail::power_seen take_power() noexcept
     {
-        power_seen const seen = control_.take_power();
-        duty_.note_look(seen == power_seen::off or seen == power_seen::waits);
+        detail::power_seen const seen = control_.take_power();
+        duty_.note_look(seen == detail::power_seen::off or seen == detail::power_seen::waits);
         return seen;
     }
     constexpr bool take_pause() noexcept { return std::exchange(waits_, false); }
@@ -171,7 +171,7 @@ public:
     /// A status or a comparison has ended the order: what may turn, or is one word away from that, is stopped first.
     constexpr void note_end_of_order() noexcept
     {
-        bool const waits = power_in(control_.state()) == power_seen::waits and not control_.gives_way();
+        bool const waits = power_in(control_.state()) == detail::power_seen::waits and not control_.gives_way();
         duty_.note_finding(true);
         duty_.say_if(waits or control_.must_stop());
         waits_ = waits_ and not duty_.must_say();

@@ -87,7 +87,7 @@ public:
     }
 
 private:
-    template <pdu Request> constexpr byte_view encoded(Request const& request) noexcept
+    template <detail::pdu Request> constexpr byte_view encoded(Request const& request) noexcept
     {
         auto const frame = encode_into(frame_, unit_, request);
         return byte_view{frame_}.first(frame ? frame->size() : 0);

@@ -50,7 +50,10 @@ public:
     constexpr void note_command(bool enables) noexcept { has_enabled_ = has_enabled_ or enables; }
 
     /// What a read found of the motor's power, and whether it found the drive newly in fault; each reported once.
-    constexpr power_seen take_power() noexcept { return std::exchange(power_seen_, power_seen::nothing); }
+    constexpr detail::power_seen take_power() noexcept
+    {
+        return std::exchange(power_seen_, detail::power_seen::nothing);
+    }
     constexpr bool take_fault() noexcept { return std::exchange(has_read_fault_, false); }
 
     [[nodiscard]] constexpr std::uint16_t status() const noexcept { return status_; }
@@ -88,7 +91,7 @@ private:
     bool is_known_{false};
     bool was_lost_running_{false}; ///< it may have been running at the last loss
     bool has_enabled_{false};      ///< the command to run was given since the state was read
-    power_seen power_seen_{power_seen::nothing};
+    detail::power_seen power_seen_{detail::power_seen::nothing};
     bool has_read_fault_{false};
 };
 

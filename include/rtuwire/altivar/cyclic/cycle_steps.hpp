@@ -92,16 +92,18 @@ public:
     [[nodiscard]] constexpr duration period() const noexcept { return period_; }
 
     /// What the next request does to the motor; `was_rearranged`: another conversation may have changed the drive.
-    [[nodiscard]] constexpr effect intent(bool was_rearranged) const noexcept
+    [[nodiscard]] constexpr detail::effect intent(bool was_rearranged) const noexcept
     {
         step const next = due_step(was_rearranged);
         if (next == step::say_stop) {
-            return effect::stopping;
+            return detail::effect::stopping;
         }
         if (next != step::exchange and next != step::write) {
-            return effect::none;
+            return detail::effect::none;
         }
-        return control().is_resetting() ? effect::resetting : control().is_ordered() ? effect::enabling : effect::none;
+        return control().is_resetting() ? detail::effect::resetting
+               : control().is_ordered() ? detail::effect::enabling
+                                        : detail::effect::none;
     }
 
     /// The next request. `is_confirmed`: the drive is known to take the words of all stops as such.
@@ -117,7 +119,7 @@ public:
     /// What a read found of the motor's power, whether it found the drive newly in fault, what it found in CHCF (as for
     /// `commander::note_meaning`), whether a stop that was ordered here has ended, and whether the next request waits for a
     /// period; each reported once.
-    constexpr power_seen take_power() noexcept { return agenda_.take_power(); }
+    constexpr detail::power_seen take_power() noexcept { return agenda_.take_power(); }
     constexpr bool take_fault() noexcept { return agenda_.control().take_fault(); }
     constexpr std::uint16_t take_meaning() noexcept { return std::exchange(meaning_, std::uint16_t{0}); }
     constexpr bool take_end_of_stop() noexcept { return agenda_.control().take_end_of_stop(); }
@@ -175,7 +177,7 @@ private:
         case step::compare_meaning:
             if (has_io_profile) {
                 bool const is_ours = is_drive_profile(read[0]);
-                meaning_ = is_ours ? Device::layout.cmd : other_meaning;
+                meaning_ = is_ours ? Device::layout.cmd : detail::other_meaning;
                 return agenda_.compare(is_ours ? 1 : 0, 1);
             }
             return agenda_.compare(read[0], frames_.command());

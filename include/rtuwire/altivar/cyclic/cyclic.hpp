@@ -30,13 +30,13 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// have changed them, it reads the scanner's addresses and the drive's safeguards, some twelve requests; where they
 /// are wrong it writes nothing but the stop command to a motor it ordered to run, and `control().reason()` gives the
 /// cause. Without an order it stops a motor that it finds running, whoever runs it: `watch` only reads.
-template <device_type Device> class cyclic : public commander {
+template <device_type Device> class cyclic : public detail::commander {
     static_assert(drive_check<Device>::passed);
     using words = cycle_layout<Device>;
 
 public:
     static constexpr conversation_properties properties{
-        .urgency = urgency::stop_of_unit, .repetition = repetition::never, .freshness = freshness::when_free};
+        .urgency = detail::urgency::stop_of_unit, .repetition = repetition::never, .freshness = freshness::when_free};
 
     static constexpr bool keeps_meaning = true;
     static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register,
@@ -126,10 +126,10 @@ public:
     [[nodiscard]] constexpr unit_id unit() const noexcept { return steps_.frames().unit(); }
 
     /// For the client: the effect of the next request on the motor, and how a loss is reported.
-    [[nodiscard]] constexpr effect intent() const noexcept
+    [[nodiscard]] constexpr detail::effect intent() const noexcept
     {
         return is_due_ and not look_.is_under_way() ? this->effect_now(steps_.intent(this->was_rearranged()))
-                                                    : effect::none;
+                                                    : detail::effect::none;
     }
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return steps_.drive_timeout(); }
     [[nodiscard]] constexpr std::uint8_t tolerated_misses() const noexcept { return tolerated_misses_; }
@@ -142,13 +142,13 @@ public:
 
     constexpr void advance(instant now) noexcept
     {
-        instant const at = has_begun_ ? within_reach(now_, now) : now;
+        instant const at = has_begun_ ? detail::within_reach(now_, now) : now;
         duration const passed = has_begun_ and reached(at, now_) ? at - now_ : duration{};
         since_heard_ = since_heard_ + passed;
         since_asked_ = since_asked_ + passed;
         now_ = now;
         heed_silence();
-        keep_over(enable_end_, now, at);
+        detail::keep_over(enable_end_, now, at);
         if (is_new_order_) { // given since the visit before, which may be long ago
             is_new_order_ = false;
             enable_end_ = now + enable_timeout_;
@@ -180,7 +180,7 @@ public:
             since_asked_ = {};
             return request_frame{steps_.frames().read_one(Device::layout.safeguards.chcf)};
         }
-        if (since_heard_ > longest_gap_in_presence and not has_doubted_) {
+        if (since_heard_ > detail::longest_gap_in_presence and not has_doubted_) {
             has_doubted_ = true; // once a period: the line may be as slow
             steps_.doubt();
         }
@@ -261,7 +261,7 @@ private:
         if constexpr (may_have_io_profile(layout) and layout.safeguards.chcf != 0) {
             bool const is_due = not steps_.is_missed() and not steps_.is_lost() and
                                 look_.is_due(this->confirmed() == layout.cmd, this->was_confirmed() == layout.cmd);
-            bool const waits = is_due_ and steps_.intent(this->was_rearranged()) == effect::stopping and
+            bool const waits = is_due_ and steps_.intent(this->was_rearranged()) == detail::effect::stopping and
                                control().word_to_stop(true, layout) != 0;
             if (is_asking_) {
                 return;

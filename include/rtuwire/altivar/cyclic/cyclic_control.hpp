@@ -221,7 +221,7 @@ public:
 
     /// What a read found of the motor's power, whether it found the drive newly in fault, and whether a stop that was ordered here has
     /// ended; each reported once.
-    constexpr power_seen take_power() noexcept { return sight_.take_power(); }
+    constexpr detail::power_seen take_power() noexcept { return sight_.take_power(); }
     constexpr bool take_fault() noexcept { return sight_.take_fault(); }
     constexpr bool take_end_of_stop() noexcept { return stop_.take_end(); }
     /// Whether the command to run was given since the last status, which showed a motor without it.

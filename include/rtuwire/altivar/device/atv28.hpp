@@ -85,7 +85,7 @@ inline constexpr reg<deciseconds> dec{.code = "DEC", .address = 253, .min = {0},
 inline constexpr reg<percent> ufr{.code = "UFR", .address = 254, .min = {0}, .max = {100}, .name = "IR compensation"};
 inline constexpr reg<percent> flg{.code = "FLG", .address = 255, .min = {0}, .max = {100},
     .name = "Frequency loop gain"};
-inline constexpr reg<deciamperes> ith{.code = "ITH", .address = 258, .min = share_of("INV", 1, 2), .max = share_of("INV", 23, 20),
+inline constexpr reg<deciamperes> ith{.code = "ITH", .address = 258, .min = detail::share_of("INV", 1, 2), .max = detail::share_of("INV", 23, 20),
     .name = "Motor thermal protection current"};
 inline constexpr reg<decihertz> slp{.code = "SLP", .address = 259, .min = {0}, .max = {50},
     .name = "Slip compensation"};
@@ -106,7 +106,7 @@ inline constexpr reg<decihertz> sp6{.code = "SP6", .address = 268, .min = "LSP",
     .name = "Preset speed 6"};
 inline constexpr reg<decihertz> sp7{.code = "SP7", .address = 269, .min = "LSP", .max = "HSP",
     .name = "Preset speed 7"};
-inline constexpr reg<deciamperes> idc{.code = "IDC", .address = 270, .min = share_of("ITH", 1, 10), .max = "INV",
+inline constexpr reg<deciamperes> idc{.code = "IDC", .address = 270, .min = detail::share_of("ITH", 1, 10), .max = "INV",
     .name = "DC injection current"};
 inline constexpr reg<deciseconds> tdc{.code = "TDC", .address = 271, .min = {0}, .max = {255},
     .name = "DC injection time"};
@@ -118,7 +118,7 @@ inline constexpr reg<centi_per_second> rig{.code = "RIG", .address = 280, .min =
     .name = "PI integral gain"};
 inline constexpr reg<count16_tenths> fbs{.code = "FBS", .address = 281, .min = {1}, .max = {1000},
     .name = "PI feedback scale factor"};
-inline constexpr reg<deciamperes> ctd{.code = "CTD", .address = 282, .min = share_of("INV", 1, 10), .max = share_of("INV", 3, 2),
+inline constexpr reg<deciamperes> ctd{.code = "CTD", .address = 282, .min = detail::share_of("INV", 1, 10), .max = detail::share_of("INV", 3, 2),
     .name = "Current threshold"};
 inline constexpr reg<percent> ttd{.code = "TTD", .address = 283, .min = {1}, .max = {118},
     .name = "Thermal threshold"};
@@ -206,11 +206,11 @@ inline constexpr reg<signed_rpm> frhd{.code = "FRHD", .address = 604, .mode = ac
     .name = "Ramp output, signed"};
 inline constexpr reg<rpm> rfrd{.code = "RFRD", .address = 605, .mode = access::read_only, .min = {0}, .max = {65535},
     .name = "Motor speed", .source = provenance::inferred};
-inline constexpr reg<rpm> smil{.code = "SMIL", .address = 606, .min = {0}, .max = product_of("HSP", "SDS", 10),
+inline constexpr reg<rpm> smil{.code = "SMIL", .address = 606, .min = {0}, .max = detail::product_of("HSP", "SDS", 10),
     .name = "Low speed in rpm (LSP)"};
 inline constexpr reg<count16> smih{.code = "SMIH", .address = 607, .mode = access::read_only, .min = {0}, .max = {0}, .factory = 0,
     .name = "Reserved (0)"};
-inline constexpr reg<rpm> smal{.code = "SMAL", .address = 608, .min = product_of("LSP", "SDS", 10), .max = product_of("TFR", "SDS", 10),
+inline constexpr reg<rpm> smal{.code = "SMAL", .address = 608, .min = detail::product_of("LSP", "SDS", 10), .max = detail::product_of("TFR", "SDS", 10),
     .name = "High speed in rpm (HSP)"};
 inline constexpr reg<count16> smah{.code = "SMAH", .address = 609, .mode = access::read_only, .min = {0}, .max = {0}, .factory = 0,
     .name = "Reserved (0)"};

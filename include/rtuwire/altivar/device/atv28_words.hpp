@@ -105,7 +105,7 @@ enum class active_fault_2_bit : std::uint8_t {
 using active_faults_2 = flags<active_fault_2_bit>;
 
 /// ETI3, which is reserved, and CPU: low byte the upgrade index, high byte the firmware version.
-using reserved_word = flags<unnamed_bit>;
-using firmware_word = flags<unnamed_bit>;
+using reserved_word = flags<detail::unnamed_bit>;
+using firmware_word = flags<detail::unnamed_bit>;
 
 } // namespace rtuwire::altivar::atv28

@@ -23,10 +23,10 @@ template <typename T>
 concept has_layout = std::convertible_to<decltype(T::layout), drive_layout>;
 /// Internal.
 template <typename T>
-concept has_speed_reference = register_quantity<value_of<T::speed_reference>>;
+concept has_speed_reference = detail::register_quantity<value_of<T::speed_reference>>;
 /// Internal.
 template <typename T>
-concept has_frequency_reference = register_quantity<value_of<T::frequency_reference>>;
+concept has_frequency_reference = detail::register_quantity<value_of<T::frequency_reference>>;
 /// Internal.
 template <typename T>
 concept has_scanner_registers = std::convertible_to<decltype(T::scanner), scanner_registers>;
@@ -71,8 +71,8 @@ template <typename T>
 concept has_output_frequency = not has_all_parts<T> or has_at<T>(T::layout.rfr);
 /// Internal.
 template <typename T>
-concept has_its_references =
-    not has_all_parts<T> or (has_register<T, T::speed_reference> and has_register<T, T::frequency_reference>);
+concept has_its_references = not has_all_parts<T> or (detail::has_register<T, T::speed_reference> and
+                                                      detail::has_register<T, T::frequency_reference>);
 
 /// Internal.
 template <typename T> [[nodiscard]] constexpr bool has_every_safeguard() noexcept
@@ -117,8 +117,8 @@ concept has_its_scanner = not has_all_parts<T> or has_every_scanner_register<T>(
 /// Functions that orders, stops and checks use.
 /// Internal.
 template <typename T>
-concept has_single_functions = not has_all_parts<T> or (implements<T>(function_code::read_holding_registers) and
-                                                        implements<T>(function_code::write_single_register));
+concept has_single_functions = not has_all_parts<T> or (detail::implements<T>(function_code::read_holding_registers) and
+                                                        detail::implements<T>(function_code::write_single_register));
 
 /// What its cycle moves.
 /// Internal.
@@ -149,7 +149,7 @@ template <typename T> [[nodiscard]] constexpr bool takes_its_cycle() noexcept
     bool const is_known = is_one or T::cycle.by == function_code::write_multiple_registers;
     std::size_t const read = is_one ? T::limits.exchange_read : T::limits.read;
     std::size_t const write = is_one ? T::limits.exchange_write : T::limits.write;
-    return is_known and implements<T>(T::cycle.by) and T::cycle.reads.size() <= read and
+    return is_known and detail::implements<T>(T::cycle.by) and T::cycle.reads.size() <= read and
            T::cycle.writes.size() <= write;
 }
 /// Internal.

@@ -30,7 +30,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// `outcome()` is a success once all were asked, whatever was refused. A lost response is repeated as the client's
 /// options say; what fails then, and an exception that is not about registers (01, 0A, 0B), ends the backup with this
 /// error. The map's groups outlive it; `sink` does not throw.
-template <typename Sink> class backup : public finite_conversation {
+template <typename Sink> class backup : public detail::finite_conversation {
 public:
     static constexpr function_set asks{function_code::read_holding_registers};
 
@@ -38,7 +38,7 @@ public:
     constexpr backup(station<Device> const& its_drive, parameter_map const& its_map, Sink its_sink) noexcept
         : map_{its_map}, sink_{its_sink}, walk_{Device::limits.read}, unit_{its_drive.unit()}
     {
-        static_assert(implements<Device>(function_code::read_holding_registers),
+        static_assert(detail::implements<Device>(function_code::read_holding_registers),
                       "this device does not implement function 03");
         ask_next();
     }
@@ -91,7 +91,7 @@ private:
         if (not walk_.find(map_, is_any)) {
             return settle(errc::none);
         }
-        address_block const block = walk_.block();
+        detail::address_block const block = walk_.block();
         static_cast<void>(encode_into(frame_, unit_, read_holding_registers{block.start, block.count}));
     }
 

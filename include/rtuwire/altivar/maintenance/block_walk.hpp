@@ -38,7 +38,7 @@ public:
         return block_.count != 0;
     }
 
-    [[nodiscard]] constexpr address_block block() const noexcept { return block_; }
+    [[nodiscard]] constexpr detail::address_block block() const noexcept { return block_; }
 
     /// The first address of which nothing is known yet.
     [[nodiscard]] constexpr std::uint32_t position() const noexcept { return at_; }
@@ -61,7 +61,7 @@ public:
 private:
     std::uint32_t at_{0};
     std::uint32_t suspect_end_{0};
-    address_block block_{};
+    detail::address_block block_{};
     std::uint16_t limit_;
 };
 

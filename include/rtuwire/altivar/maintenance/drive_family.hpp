@@ -46,7 +46,7 @@ public:
     [[nodiscard]] static constexpr drive_family of(byte_view text) noexcept
     {
         drive_family found;
-        for (std::size_t i = 0; i < text.size() and found.push(static_cast<char>(to_u8(text[i]))); ++i) {
+        for (std::size_t i = 0; i < text.size() and found.push(static_cast<char>(detail::to_u8(text[i]))); ++i) {
         }
         return found.whole();
     }

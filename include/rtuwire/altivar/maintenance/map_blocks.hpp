@@ -57,8 +57,8 @@ template <typename Filter>
 /// The block that begins with the lowest address from one on, without a hole, of at most `limit` registers; empty where
 /// there is none.
 template <typename Filter>
-[[nodiscard]] constexpr address_block block_from(parameter_map const& map, std::uint32_t from, std::uint16_t limit,
-                                                 Filter const& filter) noexcept
+[[nodiscard]] constexpr detail::address_block block_from(parameter_map const& map, std::uint32_t from,
+                                                         std::uint16_t limit, Filter const& filter) noexcept
 {
     std::uint32_t const start = lowest_address(map, from, filter);
     if (start == no_address) {

@@ -88,7 +88,7 @@ public:
 private:
     using verdict = row_write::verdict;
 
-    static constexpr bool has_identification = implements<Device>(function_code::encapsulated_interface);
+    static constexpr bool has_identification = detail::implements<Device>(function_code::encapsulated_interface);
 
     // What the checks call.
 

@@ -37,14 +37,14 @@ struct parameter_type {
 template <typename E> inline constexpr auto const& words_of = meanings<E>;
 
 /// Internal.
-template <register_value T> [[nodiscard]] consteval parameter_type type_of() noexcept
+template <detail::register_value T> [[nodiscard]] consteval parameter_type type_of() noexcept
 {
     if constexpr (bit_field<T>) {
         return {.kind = parameter_kind::bits, .meanings = words_of<typename T::bit_type>};
     } else if constexpr (register_enumeration<T>) {
         return {.kind = parameter_kind::enumeration,
                 .mnemonics = enumerators<T>,
-                .listed = listed_words<T>(),
+                .listed = detail::listed_words<T>(),
                 .meanings = words_of<T>};
     } else {
         return {.kind = std::is_signed_v<typename T::rep> ? parameter_kind::signed_number : parameter_kind::number,
@@ -54,7 +54,7 @@ template <register_value T> [[nodiscard]] consteval parameter_type type_of() noe
     }
 }
 /// Internal.
-template <register_value T> inline constexpr parameter_type type_facts = type_of<T>();
+template <detail::register_value T> inline constexpr parameter_type type_facts = type_of<T>();
 
 /// One parameter.
 struct parameter {
@@ -68,7 +68,7 @@ struct parameter {
     bound max;                           ///< in raw counts, or by another register
     std::optional<std::int32_t> factory; ///< in raw counts, where known
     literal steps_set_by;                ///< the register that sets the size of a step; empty where none does
-    count_range gap;                     ///< raw counts inside the limits that are never written
+    detail::count_range gap;             ///< raw counts inside the limits that are never written
 
     /// Whether it can be written at all.
     [[nodiscard]] constexpr bool is_writable() const noexcept { return mode != access::read_only; }
@@ -88,13 +88,14 @@ struct parameter {
         std::int64_t const lowest = min.is_number() ? min.raw() : is_signed ? -32'768 : 0;
         std::int64_t const highest = max.is_number() ? max.raw() : is_signed ? 32'767 : 65'535;
         return count >= lowest and count <= highest and not gap.contains(count) and
-               (type->mnemonics.empty() or listed_name(type->mnemonics, static_cast<std::uint16_t>(count)).size() != 0);
+               (type->mnemonics.empty() or
+                detail::listed_name(type->mnemonics, static_cast<std::uint16_t>(count)).size() != 0);
     }
 };
 
 /// A register as a row. A template for each type of values, not for each register.
 /// Internal.
-template <register_value T> [[nodiscard]] constexpr parameter parameter_of(reg<T> const& from) noexcept
+template <detail::register_value T> [[nodiscard]] constexpr parameter parameter_of(reg<T> const& from) noexcept
 {
     return {.code = from.code,
             .name = from.name,

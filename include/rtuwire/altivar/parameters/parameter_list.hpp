@@ -18,7 +18,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Registers of one group; a group is a class of its own that derives from its list, for the sake of short names.
 template <auto const&... Registers> struct parameter_list {
-    static_assert(are_all<Registers.is_plain...>, "a parameter is a holding register of one word");
+    static_assert(detail::are_all<Registers.is_plain...>, "a parameter is a holding register of one word");
 
     static constexpr std::size_t size = sizeof...(Registers);
     static constexpr std::array<std::uint16_t, size> addresses{Registers.address...};
@@ -79,7 +79,7 @@ public:
     }
 
     /// Whether a register is this device's.
-    [[nodiscard]] static constexpr bool holds(asked_register const& asked) noexcept
+    [[nodiscard]] static constexpr bool holds(detail::asked_register const& asked) noexcept
     {
         void const* const object = asked.is_restepped ? asked.counted_as : asked.itself;
         return asked.space == register_space::holding and (Groups::holds(asked.address, object) or ...);
@@ -87,9 +87,9 @@ public:
 
     /// Whether all of some registers are this device's.
     template <std::size_t Count>
-    [[nodiscard]] static constexpr bool holds_all(std::array<asked_register, Count> const& all_asked) noexcept
+    [[nodiscard]] static constexpr bool holds_all(std::array<detail::asked_register, Count> const& all_asked) noexcept
     {
-        for (asked_register const& asked : all_asked) {
+        for (detail::asked_register const& asked : all_asked) {
             if (not holds(asked)) {
                 return false;
             }

@@ -72,9 +72,9 @@ enum class action : std::uint64_t {};
 {
     return (static_cast<unsigned>(of) & 8U) == 0 ? repetition::allowed : repetition::never;
 }
-[[nodiscard]] constexpr effect effect_of(action of) noexcept
+[[nodiscard]] constexpr detail::effect effect_of(action of) noexcept
 {
-    return static_cast<effect>(static_cast<unsigned>(of) >> 4U & 7U);
+    return static_cast<detail::effect>(static_cast<unsigned>(of) >> 4U & 7U);
 }
 [[nodiscard]] constexpr std::uint16_t address_of(action of) noexcept
 {
@@ -87,7 +87,7 @@ enum class action : std::uint64_t {};
 [[nodiscard]] constexpr duration length_of(action of) noexcept
 {
     if (what_of(of) == action_kind::write) {
-        return (static_cast<unsigned>(of) & 0x80U) == 0 ? duration{} : longest_gap_in_presence;
+        return (static_cast<unsigned>(of) & 0x80U) == 0 ? duration{} : detail::longest_gap_in_presence;
     }
     return duration{static_cast<std::uint32_t>(static_cast<std::uint64_t>(of) >> 32U)};
 }
@@ -122,7 +122,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 }
 [[nodiscard]] constexpr action to_write(std::uint16_t address, std::uint16_t word) noexcept
 {
-    return detail::to_write(address, word, effect::none);
+    return detail::to_write(address, word, detail::effect::none);
 }
 [[nodiscard]] constexpr action to_pause(duration length) noexcept
 {
@@ -133,22 +133,22 @@ inline constexpr action to_end{static_cast<std::uint64_t>(action_kind::end)};
 /// A write after which a motor at rest may turn, or a turning one may turn differently.
 [[nodiscard]] constexpr action to_enable(std::uint16_t address, std::uint16_t word) noexcept
 {
-    return detail::to_write(address, word, effect::enabling);
+    return detail::to_write(address, word, detail::effect::enabling);
 }
 /// The same for a drive in fault.
 [[nodiscard]] constexpr action to_reset(std::uint16_t address, std::uint16_t word) noexcept
 {
-    return detail::to_write(address, word, effect::resetting);
+    return detail::to_write(address, word, detail::effect::resetting);
 }
 /// A write after which another source may command the motor, or words have another meaning.
 [[nodiscard]] constexpr action to_rearrange(std::uint16_t address, std::uint16_t word) noexcept
 {
-    return detail::to_write(address, word, effect::rearranging);
+    return detail::to_write(address, word, detail::effect::rearranging);
 }
 /// A control word that takes the motor's power or its speed away.
 [[nodiscard]] constexpr action to_stop(std::uint16_t address, std::uint16_t word) noexcept
 {
-    return detail::to_write(address, word, effect::stopping);
+    return detail::to_write(address, word, detail::effect::stopping);
 }
 /// The same action, sent once: where no response comes, the procedure gets the failure.
 [[nodiscard]] constexpr action once(action what) noexcept { return detail::with(what, 1, 3); }

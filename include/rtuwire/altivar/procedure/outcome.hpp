@@ -138,7 +138,7 @@ struct [[nodiscard]] reason {
 [[nodiscard]] constexpr auto text_of(reason const& why) noexcept
 {
     constexpr std::size_t longest = 320;
-    short_text<longest> text;
+    detail::short_text<longest> text;
     if (why.kind == outcome_kind::in_fault) {
         text.precede("; reset_fault resets it once its cause is gone");
     }
@@ -155,7 +155,7 @@ struct [[nodiscard]] reason {
             text.precede(called);
             text.precede(" (");
         }
-        precede_by_number(text, std::uint32_t{why.fault});
+        detail::precede_by_number(text, std::uint32_t{why.fault});
         text.precede(", LFT ");
     }
     if (why.kind == outcome_kind::silent and why.error == errc::timed_out) {
@@ -167,7 +167,7 @@ struct [[nodiscard]] reason {
     }
     if (why.limit != 0) {
         text.precede(" Hz");
-        precede_by_number(text, std::uint32_t{why.limit}, 1);
+        detail::precede_by_number(text, std::uint32_t{why.limit}, 1);
         text.precede(": ");
     }
     text.precede(name_of(why.kind));

@@ -77,17 +77,17 @@ private:
     if (not outcome or outcome->pdu().size() != size_of_one) {
         return 0;
     }
-    return is_drive_profile(u16_at(outcome->pdu(), 2)) ? control_word : other_meaning;
+    return is_drive_profile(detail::u16_at(outcome->pdu(), 2)) ? control_word : detail::other_meaning;
 }
 
 /// What a state shows of the motor's power.
-[[nodiscard]] constexpr power_seen power_in(cia402::state at) noexcept
+[[nodiscard]] constexpr detail::power_seen power_in(cia402::state at) noexcept
 {
     bool const waits = at == cia402::state::ready_to_switch_on or at == cia402::state::switched_on;
-    return waits                    ? power_seen::waits
-           : cia402::is_at_rest(at) ? power_seen::off
-           : cia402::has_power(at)  ? power_seen::on
-                                    : power_seen::nothing;
+    return waits                    ? detail::power_seen::waits
+           : cia402::is_at_rest(at) ? detail::power_seen::off
+           : cia402::has_power(at)  ? detail::power_seen::on
+                                    : detail::power_seen::nothing;
 }
 
 /// What every procedure has: the drive's layout, and the reason why it ended. Each also has an `anew()`, itself as it was
@@ -126,7 +126,10 @@ public:
 
     /// What the status read showed of the motor's power; what was read of CHCF, as for `commander::note_meaning`; whether the
     /// status showed a fault. Each call clears what it returns.
-    constexpr power_seen take_power() noexcept { return std::exchange(power_seen_, power_seen::nothing); }
+    constexpr detail::power_seen take_power() noexcept
+    {
+        return std::exchange(power_seen_, detail::power_seen::nothing);
+    }
     constexpr std::uint16_t take_meaning() noexcept { return std::exchange(read_meaning_, std::uint16_t{0}); }
     [[nodiscard]] constexpr std::uint16_t control_word() const noexcept { return layout_->cmd; }
     [[nodiscard]] constexpr std::uint16_t chcf() const noexcept { return layout_->safeguards.chcf; }
@@ -262,7 +265,7 @@ private:
 
     drive_layout const* layout_;
     altivar::reason reason_{};
-    power_seen power_seen_{power_seen::nothing};
+    detail::power_seen power_seen_{detail::power_seen::nothing};
     bool has_read_fault_{false};
     std::uint16_t read_meaning_{0};
     bool takes_back_{false};

@@ -47,13 +47,13 @@ struct procedure_kind {
 /// The conversation of any procedure, which `procedure_runner` holds behind it. It ends at its limit, counted from the first
 /// `advance`; or later by the procedure's grace, or at the end of the one request that is then under way or still has to be
 /// sent to leave the drive safe. A stop does not end before its control word has left.
-class procedure_conversation : public commander {
+class procedure_conversation : public detail::commander {
 public:
     /// For clients: all procedures are visited alike.
     using visited_as = procedure_conversation;
 
     /// Each action says whether its request may be repeated.
-    static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
+    static constexpr conversation_properties properties{.urgency = detail::urgency::stop_of_unit,
                                                         .freshness = freshness::when_free};
     static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register};
     /// A read of two registers at most.
@@ -64,7 +64,7 @@ public:
     /// Processes the time: starts the clock, ends pauses, and ends the conversation at its limit.
     constexpr void advance(instant now) noexcept
     {
-        instant const at = stage_ == stage::made ? now : within_reach(now_, now);
+        instant const at = stage_ == stage::made ? now : detail::within_reach(now_, now);
         now_ = now;
         tell_known();
         if (stage_ == stage::made) {
@@ -79,7 +79,7 @@ public:
             }
             begin();
         }
-        keep_over(late_at_, now, at);
+        detail::keep_over(late_at_, now, at);
         if (stage_ != stage::waiting) {
             return;
         }
@@ -89,7 +89,7 @@ public:
         }
         bool const is_overtaken = kind_->follows_order and is_overruled() and not own().takes_back();
         bool const gives_way =
-            kind_->gives_way_to_order and effect_of(action_) == effect::stopping and is_unit_ordered();
+            kind_->gives_way_to_order and effect_of(action_) == detail::effect::stopping and is_unit_ordered();
         if (is_overtaken or gives_way) {
             return yield();
         }
@@ -111,9 +111,9 @@ public:
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
 
     /// For the client: what the next request does to the motor, and when a unit counts as lost.
-    [[nodiscard]] constexpr effect intent() const noexcept
+    [[nodiscard]] constexpr detail::effect intent() const noexcept
     {
-        return is_looking() ? effect::none : effect_now(effect_of(action_));
+        return is_looking() ? detail::effect::none : effect_now(effect_of(action_));
     }
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return kind_->drive_timeout(own()); }
     [[nodiscard]] static constexpr std::uint8_t tolerated_misses() noexcept { return 1; }
@@ -144,7 +144,7 @@ public:
         if (is_looking()) {
             return request_frame{frame_, repetition::never};
         }
-        if (effect_of(action_) == effect::stopping) {
+        if (effect_of(action_) == detail::effect::stopping) {
             if (own().is_harmful(word_of(action_), look_.allows_word(is_known()))) {
                 action_ = to_stop(address_of(action_), 0);
                 make_frame();
@@ -184,7 +184,7 @@ public:
             end_look(meaning_in(outcome, own().control_word()));
             return heed_loss();
         }
-        if (effect_of(action_) == effect::stopping and outcome.error() != errc::cancelled) {
+        if (effect_of(action_) == detail::effect::stopping and outcome.error() != errc::cancelled) {
             look_.note_word(); // else it never left
         }
         go_on(event_of(outcome));
@@ -200,7 +200,7 @@ public:
         if (stage_ != stage::waiting) {
             return {};
         }
-        earliest next;
+        detail::earliest next;
         if (left_ < time_left::none and
             not(has_to_say() and reached(now_, late_at_))) { // else it waits for more than that
             next.add(late_at_);
@@ -237,7 +237,7 @@ protected:
     /// Begins anew, as it was made, behind its procedure.
     constexpr void begin_again() noexcept
     {
-        commander const former{*this};
+        detail::commander const former{*this};
         *this = procedure_conversation{*kind_, unit_, limit_};
         if (kind_->follows_order) {
             begin_anew(former);
@@ -279,7 +279,7 @@ private:
     constexpr bool is_command_to_run() const noexcept
     {
         constexpr std::uint16_t run = cia402::word_of(cia402::command::enable_operation);
-        return effect_of(action_) == effect::enabling and address_of(action_) == own().control_word() and
+        return effect_of(action_) == detail::effect::enabling and address_of(action_) == own().control_word() and
                (word_of(action_) & run) == run;
     }
     constexpr bool is_looking() const noexcept { return look_.is_under_way(); }
@@ -287,7 +287,7 @@ private:
     /// Whether the control word to send stops only a drive in its drive profile, and that has to be read.
     [[gnu::noinline]] constexpr bool has_to_look() const noexcept
     {
-        return effect_of(action_) == effect::stopping and word_of(action_) != 0 and
+        return effect_of(action_) == detail::effect::stopping and word_of(action_) != 0 and
                look_.is_due(is_known(), was_known()) and own().may_have_io() and own().chcf() != 0;
     }
     /// Whether the drive is known to take the words of all stops as such; whether it was, and may have lost its power since.
@@ -316,7 +316,7 @@ private:
     {
         look_.end(is_its_word(meaning));
         note_meaning(meaning);
-        if (effect_of(action_) == effect::stopping) {
+        if (effect_of(action_) == detail::effect::stopping) {
             return make_frame();
         }
         tell_known();
@@ -344,7 +344,7 @@ private:
         if (is_looking()) {
             return end_look(0);
         }
-        if (not settled() and effect_of(action_) != effect::stopping) {
+        if (not settled() and effect_of(action_) != detail::effect::stopping) {
             fail(errc::unit_lost);
         }
     }
@@ -382,8 +382,8 @@ private:
         if (pdu.size() != (are_two ? second : first) + 2) {
             return {event::kind::failed, 0, errc::wrong_length};
         }
-        return {event::kind::word_read, u16_at(pdu, first), errc::none,
-                are_two ? u16_at(pdu, second) : std::uint16_t{0}};
+        return {event::kind::word_read, detail::u16_at(pdu, first), errc::none,
+                are_two ? detail::u16_at(pdu, second) : std::uint16_t{0}};
     }
 
     constexpr void take(action next) noexcept
@@ -426,13 +426,13 @@ private:
     /// A read of holding registers, or the write of one: both are a function, an address, and a count or a word.
     [[gnu::noinline]] constexpr void make_frame(bool is_write, std::uint16_t address, std::uint16_t value) noexcept
     {
-        constexpr std::byte read = to_byte(static_cast<std::uint8_t>(function_code::read_holding_registers));
-        constexpr std::byte write = to_byte(static_cast<std::uint8_t>(function_code::write_single_register));
-        frame_[0] = to_byte(unit_.byte());
+        constexpr std::byte read = detail::to_byte(static_cast<std::uint8_t>(function_code::read_holding_registers));
+        constexpr std::byte write = detail::to_byte(static_cast<std::uint8_t>(function_code::write_single_register));
+        frame_[0] = detail::to_byte(unit_.byte());
         frame_[1] = is_write ? write : read;
-        put_u16(&frame_[2], address);
-        put_u16(&frame_[4], value);
-        append_crc(frame_, frame_.size() - adu_overhead);
+        detail::put_u16(&frame_[2], address);
+        detail::put_u16(&frame_[4], value);
+        detail::append_crc(frame_, frame_.size() - detail::adu_overhead);
     }
 
     procedure_kind const* kind_;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // What may come before a response: the echo of the transmission, on a line that gives back what is sent; noise.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +12,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// Compares the received bytes with the bytes of one transmission, in their order, and keeps what the transmissions before
 /// have shown: a line that has given back a whole one echoes, until a response comes without.
@@ -98,5 +99,7 @@ public:
     [[nodiscard]] static constexpr bool is_left() noexcept { return false; }
     static constexpr void take() noexcept {}
 };
+
+} // namespace detail
 
 } // namespace rtuwire

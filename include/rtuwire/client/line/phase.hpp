@@ -18,7 +18,6 @@
 // Where no repetition is left, awaiting ends as settled instead of pausing and waiting. Where the request may not be
 // repeated at all, bytes settle it in ready, too. After a broadcast, `sent` and the end of the time of transmitting
 // lead to turnaround. Where the request was cancelled while it left, `sent` settles it.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +25,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// What ends each phase of a client.
 enum class client_phase : std::uint8_t {
@@ -73,5 +74,7 @@ private:
 {
     return at == client_phase::handed_out or at == client_phase::transmitting;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -18,7 +18,6 @@
 //
 // A damaged response, or an exception that asks for time, counts as a response. No rule of time can tell apart the
 // responses of a unit that is slower than W and never responded in time.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -32,6 +31,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// One unit (0: none), and until when it gets no new request.
 struct quarantine_entry {
@@ -166,5 +167,7 @@ private:
     [[no_unique_address]] quarantine_places<Units> entries_{};
     [[no_unique_address]] used_places<Units> used_{};
 };
+
+} // namespace detail
 
 } // namespace rtuwire

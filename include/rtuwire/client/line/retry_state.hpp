@@ -3,7 +3,6 @@
 //
 // The request that a client's transaction is for: whom it asks, how long it and its longest response are on the line; how often
 // it was sent, and whether it may be sent once more. Knows no phase.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +19,8 @@
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// The last request, to these functions. Its bytes stand in front of the response's, in the memory of the frame.
 template <typename Functions> class kept_request {
@@ -193,5 +194,7 @@ private:
     duration longest_{};          ///< what the time limits leave from the first of the unanswered sendings on
     std::uint16_t unanswered_{0}; ///< at the end, so that no bytes are left before its holder's next member
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -4,7 +4,6 @@
 // One request of a client, from its start to its outcome (SL 2.4.1): silence before it, the bytes to send, their echo, the
 // response, repetitions, time limits. Knows no conversation. client/line/phase.hpp has the table of its phases,
 // client/line/quarantine.hpp the rule how long a unit that did not respond in time gets no new request.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -36,6 +35,8 @@
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// A frame that was refused as the response to a request.
 struct refused_frame {
@@ -683,6 +684,8 @@ private:
     [[no_unique_address]] Observer observer_{};
     typename cutter::memory memory_; ///< its line; the request, and behind it its response
 };
+
+} // namespace detail
 
 #pragma GCC diagnostic pop
 

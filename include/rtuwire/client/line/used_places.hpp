@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // How many of several places are in use, so that nobody looks at the others.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +9,8 @@
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// A count of up to `Size` places. The only place of one counts as used, which takes no memory.
 template <std::size_t Size> class used_places {
@@ -25,5 +26,7 @@ public:
     [[nodiscard]] static constexpr std::size_t count() noexcept { return 1; }
     static constexpr void set(std::size_t) noexcept {}
 };
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // CRC-16/MODBUS from tables: the effect of shifting out 4 or 8 bits at some distance from the end.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -93,7 +92,7 @@ inline constexpr std::uint16_t started[] = {shifted(0xFFFF, 0),  shifted(0xFFFF,
 {
     std::byte const* const end = at + size;
     auto const add = [&](std::uint16_t crc, std::ptrdiff_t k) {
-        return static_cast<std::uint16_t>(crc ^ eight[k - 1][to_u8(end[-k])]);
+        return static_cast<std::uint16_t>(crc ^ eight[k - 1][detail::to_u8(end[-k])]);
     };
     std::uint16_t crc = started[size];
     switch (size) {
@@ -112,9 +111,10 @@ inline constexpr std::uint16_t started[] = {shifted(0xFFFF, 0),  shifted(0xFFFF,
 /// The CRC after eight more bytes.
 [[nodiscard]] constexpr std::uint16_t after_eight(std::uint32_t crc, std::byte const* at) noexcept
 {
-    return static_cast<std::uint16_t>(eight[7][to_u8(at[0]) ^ (crc & 0xFFU)] ^ eight[6][to_u8(at[1]) ^ (crc >> 8U)] ^
-                                      eight[5][to_u8(at[2])] ^ eight[4][to_u8(at[3])] ^ eight[3][to_u8(at[4])] ^
-                                      eight[2][to_u8(at[5])] ^ eight[1][to_u8(at[6])] ^ eight[0][to_u8(at[7])]);
+    return static_cast<std::uint16_t>(
+        eight[7][detail::to_u8(at[0]) ^ (crc & 0xFFU)] ^ eight[6][detail::to_u8(at[1]) ^ (crc >> 8U)] ^
+        eight[5][detail::to_u8(at[2])] ^ eight[4][detail::to_u8(at[3])] ^ eight[3][detail::to_u8(at[4])] ^
+        eight[2][detail::to_u8(at[5])] ^ eight[1][detail::to_u8(at[6])] ^ eight[0][detail::to_u8(at[7])]);
 }
 
 /// The CRC of more than 8 bytes: up to 8 at the front, then eight at a time.

@@ -7,7 +7,6 @@
 // x^(64 k) is two shifts for each k that is a power of 2. Modulo x + 1 the message is its parity. Of the two remainders
 // modulo T that fit 16 bits, r and r + T, the CRC is the one with the parity of the message. All words are reflected:
 // bit 0 is the highest power.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -103,7 +102,7 @@ public:
         // The CRC starts from FFFF: that is, with its first two bytes inverted.
         if (std::size_t const odd = bytes.size() % 8; odd != 0) {
             std::size_t const shift = 8 * (8 - odd);
-            head_ = (word_at(at_) ^ 0xFFFFU) << shift;
+            head_ = (detail::word_at(at_) ^ 0xFFFFU) << shift;
             start_ = odd == 1 ? 0xFFU : 0U;
             at_ += odd;
             parity_ = head_;
@@ -122,7 +121,7 @@ public:
 private:
     template <std::size_t Count, std::size_t... I> constexpr lanes<Count> take(std::index_sequence<I...>) noexcept
     {
-        lanes<Count> next{word_at(at_ + 8 * I)...};
+        lanes<Count> next{detail::word_at(at_ + 8 * I)...};
         next[0] ^= start_;
         start_ = 0;
         at_ += 8 * Count;

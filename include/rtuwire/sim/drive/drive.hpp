@@ -56,7 +56,7 @@ public:
     constexpr void advance(instant now) noexcept
     {
         duration const passed = now - now_;
-        memory_.advance(within_reach(now_, now));
+        memory_.advance(detail::within_reach(now_, now));
         now_ = now;
         control_.initialised();
         turn(passed);

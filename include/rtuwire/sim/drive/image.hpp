@@ -28,8 +28,9 @@ namespace rtuwire::inline RTUWIRE_BUILD::sim {
 /// The words of all registers of a device, initially as commissioned.
 template <device_type Device> class image {
     using rules = rules_of<typename Device::registers>;
-    static constexpr key_index<literal, rules::count> by_code{each_of(rules::list, &register_rule::code)};
-    static constexpr key_index<std::uint16_t, rules::count> by_address{each_of(rules::list, &register_rule::address)};
+    static constexpr detail::key_index<literal, rules::count> by_code{each_of(rules::list, &register_rule::code)};
+    static constexpr detail::key_index<std::uint16_t, rules::count> by_address{
+        each_of(rules::list, &register_rule::address)};
 
 public:
     /// The place of no register. A word stored there is lost, and it reads 0.
@@ -89,7 +90,7 @@ public:
         std::int32_t const raw = known.is_signed ? std::int32_t{static_cast<std::int16_t>(word)} : std::int32_t{word};
         bool const is_inside =
             (known.min.is_open() or raw >= limit(known.min)) and (known.max.is_open() or raw <= limit(known.max));
-        bool const is_right = is_inside and not known.gap.contains(raw) and has_meaning(known.listed, word);
+        bool const is_right = is_inside and not known.gap.contains(raw) and detail::has_meaning(known.listed, word);
         return is_right ? errc::none : errc::illegal_data_value;
     }
 

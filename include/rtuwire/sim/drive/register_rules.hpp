@@ -143,13 +143,13 @@ struct register_rule {
     bool is_order;                         ///< no setting
     std::int32_t steps_per_unit;           ///< 10 where it counts tenths; 1 where it is no quantity
     std::span<std::uint16_t const> listed; ///< the words that mean something, of an enumeration
-    count_range gap;                       ///< raw counts that it does not take
+    detail::count_range gap;               ///< raw counts that it does not take
 };
 
 /// How many steps of a register make one whole unit.
 template <auto const& R> [[nodiscard]] constexpr std::int32_t steps_per_unit() noexcept
 {
-    if constexpr (register_quantity<value_of<R>>) {
+    if constexpr (detail::register_quantity<value_of<R>>) {
         using scale = typename value_of<R>::scale;
         return static_cast<std::int32_t>(scale::den / scale::num);
     } else {
@@ -167,10 +167,11 @@ template <auto const& R> [[nodiscard]] constexpr std::uint16_t delivered() noexc
 template <typename Table> struct rules_of;
 template <auto const&... Registers> struct rules_of<table<Registers...>> {
     static constexpr std::size_t count = sizeof...(Registers);
-    static constexpr std::array<register_rule, count> list{register_rule{
-        Registers.code, Registers.address, Registers.mode, lowest<Registers>() < 0, Registers.min, Registers.max,
-        delivered<Registers>(), value_in(commissioned_values, Registers.code, delivered<Registers>()),
-        is_order(Registers.code), steps_per_unit<Registers>(), listed_words<value_of<Registers>>(), Registers.gap}...};
+    static constexpr std::array<register_rule, count> list{
+        register_rule{Registers.code, Registers.address, Registers.mode, lowest<Registers>() < 0, Registers.min,
+                      Registers.max, delivered<Registers>(),
+                      value_in(commissioned_values, Registers.code, delivered<Registers>()), is_order(Registers.code),
+                      steps_per_unit<Registers>(), detail::listed_words<value_of<Registers>>(), Registers.gap}...};
 };
 
 // A drive with all its parameters: its rules are made of their rows, in one loop over plain data. A template for each of a
@@ -231,14 +232,14 @@ template <typename Row> [[nodiscard]] constexpr register_rule rule_of_row(Row co
             row.address,
             row.mode,
             has_signed_type and not is_never_negative,
-            is_limit and not row.min.is_number() ? open_bound : row.min,
-            is_limit and not row.max.is_number() ? open_bound : row.max,
+            is_limit and not row.min.is_number() ? detail::open_bound : row.min,
+            is_limit and not row.max.is_number() ? detail::open_bound : row.max,
             factory,
             value_in(commissioned_values, row.code, factory),
             is_order_in_menu(row.code),
             steps_per_unit_of(row),
             row.type->listed,
-            no_gap};
+            detail::no_gap};
 }
 
 /// The rules of all parameters, group by group.

@@ -35,7 +35,7 @@ template <typename Device> [[nodiscard]] constexpr bool lacks([[maybe_unused]] l
 /// Internal.
 template <typename Device>
 concept names_itself =
-    not altivar::drive_type<Device> or not implements<Device>(function_code::encapsulated_interface) or
+    not altivar::drive_type<Device> or not detail::implements<Device>(function_code::encapsulated_interface) or
     std::convertible_to<decltype(Device::reference), literal>;
 
 /// Stops the compiler at a drive that cannot be simulated.

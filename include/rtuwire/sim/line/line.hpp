@@ -47,8 +47,9 @@ struct received_byte {
 [[nodiscard]] constexpr std::uint32_t character_bits(character_format format, std::byte byte) noexcept
 {
     constexpr std::uint32_t stop_bits = 0b11;
-    std::uint32_t const data = to_u8(byte);
-    std::uint32_t const parity = parity_of(format, to_u8(byte)).value_or(1); // without parity the stop bit is there
+    std::uint32_t const data = detail::to_u8(byte);
+    std::uint32_t const parity =
+        parity_of(format, detail::to_u8(byte)).value_or(1); // without parity the stop bit is there
     return data << 1U | parity << 9U | stop_bits << 10U;
 }
 
@@ -61,7 +62,7 @@ struct received_byte {
     bool const is_parity_right = not parity or *parity == ((bits >> 9U) & 1U);
     std::uint32_t const stop_at = parity ? 10 : 9;
     bool const has_stop = ((bits >> stop_at) & 1U) != 0;
-    return {to_byte(byte), not is_parity_right or not has_stop};
+    return {detail::to_byte(byte), not is_parity_right or not has_stop};
 }
 
 /// The signal of one busy period, bit by bit: idle high, pulled low by any sender. Bits beyond its end are idle.
@@ -171,7 +172,7 @@ public:
     /// A line whose characters have a parity bit and take the time that `timing` gives.
     constexpr line(line_timing const& timing, std::uint32_t seed) noexcept
         : random_{seed}, bit_ns_{timing.characters(1).microseconds * 1'000U /
-                                 bits_per_character(character_format::even_8_1)},
+                                 detail::bits_per_character(character_format::even_8_1)},
           format_{character_format::even_8_1}
     {}
 
@@ -192,7 +193,7 @@ public:
             start_over(at);
         }
         line_faults const& faults = faults_[sender % max_senders];
-        std::size_t const bits = bytes.size() * bits_per_character(format_);
+        std::size_t const bits = bytes.size() * detail::bits_per_character(format_);
         instant const end = at + time_of(bits);
         if (faults.is_cut or random_.happens(faults.lost)) {
             return end;
@@ -218,7 +219,7 @@ public:
         if (not find_start()) {
             return std::nullopt;
         }
-        std::size_t const length = bits_per_character(format_);
+        std::size_t const length = detail::bits_per_character(format_);
         instant const end = begin_ + time_of(cursor_ + length);
         if (not reached(now, end)) {
             return std::nullopt;
@@ -235,7 +236,7 @@ public:
         if (not find_start()) {
             return std::nullopt;
         }
-        return begin_ + time_of(cursor_ + bits_per_character(format_));
+        return begin_ + time_of(cursor_ + detail::bits_per_character(format_));
     }
 
 private:
@@ -284,12 +285,13 @@ private:
         std::size_t const begin = place;
         for (std::byte const byte : bytes) {
             if (not random_.happens(faults.dropped)) {
-                wave_.lay(place, character_bits(format_, byte), bits_per_character(format_));
+                wave_.lay(place, character_bits(format_, byte), detail::bits_per_character(format_));
             }
-            place += bits_per_character(format_);
+            place += detail::bits_per_character(format_);
             if (random_.happens(faults.added)) {
-                wave_.lay(place, character_bits(format_, to_byte(random_.next())), bits_per_character(format_));
-                place += bits_per_character(format_);
+                wave_.lay(place, character_bits(format_, detail::to_byte(random_.next())),
+                          detail::bits_per_character(format_));
+                place += detail::bits_per_character(format_);
             }
         }
         disturb(faults, begin, place);

@@ -30,11 +30,11 @@ public:
     [[nodiscard]] constexpr char const* end() const noexcept { return characters_.data() + size_; }
 
     /// As a std::string_view, valid as long as this text.
-    template <character_view View> constexpr operator View() const& noexcept { return View(begin(), size()); }
+    template <detail::character_view View> constexpr operator View() const& noexcept { return View(begin(), size()); }
     /// A temporary text gives no view; it makes a std::string, and goes to a stream.
-    template <character_view View> constexpr operator View() const&& noexcept
+    template <detail::character_view View> constexpr operator View() const&& noexcept
     {
-        static_assert(not character_view<View>,
+        static_assert(not detail::character_view<View>,
                       "a text that ends with its expression gives no view: give it a name first");
         return View();
     }
@@ -65,9 +65,9 @@ private:
 
 /// A text is its own.
 template <std::size_t Capacity>
-[[nodiscard]] constexpr short_text<Capacity> text_of(ascii_text<Capacity> const& text) noexcept
+[[nodiscard]] constexpr detail::short_text<Capacity> text_of(ascii_text<Capacity> const& text) noexcept
 {
-    short_text<Capacity> shown;
+    detail::short_text<Capacity> shown;
     shown.precede(text.begin(), text.size());
     return shown;
 }
@@ -77,7 +77,8 @@ template <std::size_t Capacity>
 /// fill up with them. A byte that is no ASCII is passed on as it is.
 template <std::size_t Size, word_order Order = word_order::high_first> struct ascii {
     static_assert(Size > 0 and Size % 2 == 0, "a register holds two characters: name an even number of them");
-    static_assert(not is_low_first(Order), "the registers of a text follow one another: only the bytes may be swapped");
+    static_assert(not detail::is_low_first(Order),
+                  "the registers of a text follow one another: only the bytes may be swapped");
 
     using value_type = ascii_text<Size>;
     static constexpr std::uint16_t word_count = Size / 2;
@@ -105,7 +106,7 @@ template <std::size_t Size, word_order Order = word_order::high_first> struct as
             all[i / 2] = static_cast<std::uint16_t>(std::uint32_t{all[i / 2]} << 8U | character);
         }
         for (std::uint16_t& each : all) {
-            each = swapped_for<Order>(each);
+            each = detail::swapped_for<Order>(each);
         }
         return all;
     }
@@ -145,7 +146,8 @@ template <std::size_t Size, word_order Order = word_order::high_first> struct as
         }
     }
 
-    [[nodiscard]] static constexpr errc refusal(value_type const&, bound const&, bound const&, count_range) noexcept
+    [[nodiscard]] static constexpr errc refusal(value_type const&, bound const&, bound const&,
+                                                detail::count_range) noexcept
     {
         return errc::none;
     }
@@ -153,7 +155,7 @@ template <std::size_t Size, word_order Order = word_order::high_first> struct as
 private:
     static constexpr char at(words const& from, std::size_t index) noexcept
     {
-        std::uint32_t const word = swapped_for<Order>(from[index / 2]);
+        std::uint32_t const word = detail::swapped_for<Order>(from[index / 2]);
         return static_cast<char>(static_cast<unsigned char>((index % 2 == 0 ? word >> 8U : word) & 0xFFU));
     }
 };

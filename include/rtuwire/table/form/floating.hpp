@@ -22,9 +22,10 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// A number of so many bits, of IEEE 754. What is infinite or not a number is `value_without_meaning`, read or written.
 /// The limits of such a register are whole numbers of its unit.
-/// Internal.
 template <unsigned Bits, any_quantity Unit, word_order Order> struct floating_form {
     using count_type = std::conditional_t<Bits == 32, float, double>;
     static_assert(8 * sizeof(count_type) == Bits and std::numeric_limits<count_type>::is_iec559,
@@ -98,11 +99,13 @@ template <unsigned Bits, any_quantity Unit, word_order Order> struct floating_fo
     }
 };
 
+} // namespace detail
+
 /// What a register of such numbers measures; plain numbers where no unit is named. The unit is one that people name, of a
 /// step that is a power of 1000 (`amperes`, `milliamperes`, `kilowatt_hours`): others are the steps of whole numbers.
 template <typename Unit = count16, word_order Order = word_order::high_first>
-using float32 = floating_form<32, Unit, Order>;
+using float32 = detail::floating_form<32, Unit, Order>;
 template <typename Unit = count16, word_order Order = word_order::high_first>
-using float64 = floating_form<64, Unit, Order>;
+using float64 = detail::floating_form<64, Unit, Order>;
 
 } // namespace rtuwire

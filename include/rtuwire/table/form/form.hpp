@@ -3,7 +3,6 @@
 //
 // One interface to whatever a register holds: the forms of several words, and as forms the values of one word and of
 // one bit.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -18,6 +17,8 @@
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+namespace detail {
 
 /// A value of one word: every word is one.
 template <register_value T> struct word_form {
@@ -48,17 +49,22 @@ struct bit_form {
     }
 };
 
+} // namespace detail
+
 /// The form of what a register holds.
 template <typename T> struct as_form;
-template <register_value T> struct as_form<T> {
-    using type = word_form<T>;
+template <detail::register_value T> struct as_form<T> {
+    using type = detail::word_form<T>;
 };
 template <> struct as_form<bool> {
-    using type = bit_form;
+    using type = detail::bit_form;
 };
 template <register_form T> struct as_form<T> {
     using type = T;
 };
+
+namespace detail {
+
 template <auto const& R>
 using register_form_of = typename as_form<typename std::remove_cvref_t<decltype(R)>::form>::type;
 
@@ -81,5 +87,7 @@ template <auto const& R, typename Words>
         return form::from_words(own);
     }
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -24,18 +24,21 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void this_text_is_longer_than_its_registers();
 
+namespace detail {
+
 /// A plain number where a value with a unit is wanted.
-/// Internal.
 template <auto const& R, typename Value>
 inline constexpr bool is_plain_number = std::is_arithmetic_v<Value> and not std::same_as<value_of<R>, bool>;
 
+} // namespace detail
+
 /// A value within the limits of a register of several words, of a coil, or of a discrete input.
 template <auto const& R>
-    requires(not register_value<value_of<R>>)
+    requires(not detail::register_value<value_of<R>>)
 class setting<R> {
-    static_assert(not has_scale_register<R>,
+    static_assert(not detail::has_scale_register<R>,
                   "another register sets this register's steps: name them with write_with_step");
-    using form = register_form_of<R>;
+    using form = detail::register_form_of<R>;
 
 public:
     using value_type = value_of<R>;
@@ -44,12 +47,12 @@ public:
     /// and another dimension are taken in order to be refused in plain words.
     template <typename Value>
         requires(not std::same_as<value_type, bool> and
-                 (form::template takes<Value> or any_quantity<Value> or std::is_arithmetic_v<Value>))
+                 (form::template takes<Value> or detail::any_quantity<Value> or std::is_arithmetic_v<Value>))
     consteval setting(Value const& value) noexcept : value_{as_far_as_it_fits(value)}
     {
-        static_assert(not is_plain_number<R, Value>,
+        static_assert(not detail::is_plain_number<R, Value>,
                       "a plain number is no setting: give it a unit (3_s), or name an enumerator or bits");
-        static_assert(is_plain_number<R, Value> or form::template takes<Value>,
+        static_assert(detail::is_plain_number<R, Value> or form::template takes<Value>,
                       "this value measures something else than the register");
         errc const why = why_not(value);
         if (why == errc::value_between_steps) {
@@ -81,11 +84,12 @@ public:
     /// reason: `value_too_high`, `value_too_low`, `value_between_steps`, `value_never_written`, `value_without_meaning`.
     template <typename Value> [[nodiscard]] static constexpr result<setting> checked(Value const& value) noexcept
     {
-        static_assert(not is_plain_number<R, Value>,
+        static_assert(not detail::is_plain_number<R, Value>,
                       "a plain number is no setting: give it a unit (n * 0.1_s), or name an enumerator or bits");
-        static_assert(form::template takes<Value> or not is_unrounded<value_type, Value>,
+        static_assert(form::template takes<Value> or not detail::is_unrounded<value_type, Value>,
                       "this register counts whole steps: rounded_to first");
-        static_assert(is_plain_number<R, Value> or is_unrounded<value_type, Value> or form::template takes<Value>,
+        static_assert(detail::is_plain_number<R, Value> or detail::is_unrounded<value_type, Value> or
+                          form::template takes<Value>,
                       "this value measures something else than the register");
         if (errc const why = why_not(value); why != errc::none) {
             return why;
@@ -126,8 +130,9 @@ private:
     value_type value_;
 };
 
+namespace detail {
+
 /// The words of a setting, as they stand on the wire.
-/// Internal.
 template <auto const& R>
 [[nodiscard]] constexpr std::array<std::uint16_t, R.word_count> setting_words(setting<R> const& of) noexcept
 {
@@ -137,5 +142,7 @@ template <auto const& R>
         return {of.word()};
     }
 }
+
+} // namespace detail
 
 } // namespace rtuwire

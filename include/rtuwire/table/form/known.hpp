@@ -26,7 +26,7 @@ template <register_enumeration E> struct known {
 
     [[nodiscard]] static constexpr result<E> from_words(words const& from) noexcept
     {
-        if (not has_meaning(listed_words<E>(), from[0])) {
+        if (not detail::has_meaning(detail::listed_words<E>(), from[0])) {
             return errc::value_without_meaning;
         }
         return static_cast<E>(from[0]);

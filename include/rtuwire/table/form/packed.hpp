@@ -17,25 +17,28 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// What a field of a word can hold: what a word can, `known` enumerators, or a bool.
-/// Internal.
 template <typename T>
 concept field_value = register_value<T> or register_form<T> or std::same_as<T, bool>;
 
+} // namespace detail
+
 /// A value in `Width` bits of a word, from bit `Place` (0 is the lowest) on. A signed number is in two's complement. A
 /// constant that is passed by reference, as a register is: `inline constexpr field<count16, 0, 4> gear{};`
-template <field_value T, unsigned Place, unsigned Width> struct field {
+template <detail::field_value T, unsigned Place, unsigned Width> struct field {
     static_assert(Width > 0 and Place < 16 and Width <= 16 - Place, "a field lies within the 16 bits of its word");
     static_assert(Width == 1 or not std::same_as<T, bool>, "a bool has one bit: name an enumeration or a number");
 
     using form = T;
-    using value_type = typename held_by<T>::type;
+    using value_type = typename detail::held_by<T>::type;
     static constexpr std::uint16_t ones = static_cast<std::uint16_t>((std::uint32_t{1} << Width) - 1U);
     static constexpr std::uint16_t mask = static_cast<std::uint16_t>(std::uint32_t{ones} << Place);
 
     /// Whether its numbers have a sign.
     static constexpr bool has_sign = [] {
-        if constexpr (register_quantity<value_type>) {
+        if constexpr (detail::register_quantity<value_type>) {
             return std::is_signed_v<typename value_type::rep>;
         }
         return false;
@@ -51,8 +54,9 @@ template <field_value T, unsigned Place, unsigned Width> struct field {
     }
 };
 
+namespace detail {
+
 /// Whether fields of one word have no bit in common.
-/// Internal.
 template <auto const&... Fields> [[nodiscard]] consteval bool are_apart() noexcept
 {
     std::uint32_t taken = 0;
@@ -61,9 +65,11 @@ template <auto const&... Fields> [[nodiscard]] consteval bool are_apart() noexce
     return are;
 }
 
+} // namespace detail
+
 /// A word of fields. Bits of no field stay as they are.
 template <auto const&... Fields> struct packed {
-    static_assert(are_apart<Fields...>(), "two fields of this word share a bit");
+    static_assert(detail::are_apart<Fields...>(), "two fields of this word share a bit");
 
     using is_bit_field = void;
     std::uint16_t bits{0};
@@ -79,7 +85,7 @@ template <auto const&... Fields> struct packed {
         } else if constexpr (register_form<typename field::form>) {
             return field::form::from_words({own});
         } else {
-            return from_word<typename field::value_type>(own);
+            return detail::from_word<typename field::value_type>(own);
         }
     }
 
@@ -96,15 +102,15 @@ template <auto const&... Fields> struct packed {
             word = value ? field::mask : std::uint16_t{0};
         } else {
             if constexpr (register_form<typename field::form>) {
-                if (auto const known = field::form::from_words({to_word(value)}); not known) {
+                if (auto const known = field::form::from_words({detail::to_word(value)}); not known) {
                     return known.error();
                 }
             }
-            word =
-                static_cast<std::uint16_t>((std::uint32_t{to_word(value)} * (field::mask / field::ones)) & field::mask);
-            if (field::own_word(word) != to_word(value)) {
-                return raw_count<typename field::value_type>(to_word(value)) < 0 ? errc::value_too_low
-                                                                                 : errc::value_too_high;
+            word = static_cast<std::uint16_t>((std::uint32_t{detail::to_word(value)} * (field::mask / field::ones)) &
+                                              field::mask);
+            if (field::own_word(word) != detail::to_word(value)) {
+                return detail::raw_count<typename field::value_type>(detail::to_word(value)) < 0 ? errc::value_too_low
+                                                                                                 : errc::value_too_high;
             }
         }
         return packed{static_cast<std::uint16_t>((std::uint32_t{bits} & ~std::uint32_t{field::mask}) | word)};
@@ -113,7 +119,7 @@ template <auto const&... Fields> struct packed {
     friend constexpr bool operator==(packed, packed) noexcept = default;
 
 private:
-    template <auto const& F> static constexpr bool contains = (is_same_register<F, Fields> or ...);
+    template <auto const& F> static constexpr bool contains = (detail::is_same_register<F, Fields> or ...);
 };
 
 } // namespace rtuwire

@@ -19,29 +19,27 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-template <any_quantity Unit, std::floating_point Float> class real;
+template <detail::any_quantity Unit, std::floating_point Float> class real;
+
+namespace detail {
 
 /// Internal.
 template <typename T> inline constexpr bool is_real_type = false;
 template <typename Unit, typename Float> inline constexpr bool is_real_type<real<Unit, Float>> = true;
 
-/// Internal.
 template <typename T>
 concept any_real = is_real_type<T>;
 
 /// Whatever counts steps of something.
-/// Internal.
 template <typename T>
 concept any_amount = any_quantity<T> or any_real<T>;
 
 /// Whether two amounts are of one dimension.
-/// Internal.
 template <any_amount Left, any_amount Right>
 inline constexpr bool are_of_one_dimension = std::same_as<typename Left::dimension, typename Right::dimension>;
 
 /// A number times a fraction. A double holds 53 bits, so that all that fits into them is exact where the fraction is a
 /// whole number.
-/// Internal.
 template <typename Ratio> [[nodiscard]] constexpr double scaled_by_ratio(double count) noexcept
 {
     double const product = Ratio::num == 1 ? count : count * static_cast<double>(Ratio::num);
@@ -49,7 +47,6 @@ template <typename Ratio> [[nodiscard]] constexpr double scaled_by_ratio(double 
 }
 
 /// A count of a quantity; infinite where it stands for an amount that is out of range.
-/// Internal.
 template <std::integral Rep> [[nodiscard]] constexpr double count_or_infinity(Rep count) noexcept
 {
     if constexpr (sizeof(Rep) == sizeof(std::int64_t)) {
@@ -63,15 +60,15 @@ template <std::integral Rep> [[nodiscard]] constexpr double count_or_infinity(Re
 
 /// A number from the bits of IEEE 754 that is neither infinite nor "not a number". Compares nothing, so that a program
 /// that only passes numbers on has no code for them.
-/// Internal.
 [[nodiscard]] constexpr bool is_finite(std::uint32_t bits) noexcept { return (~bits & 0x7F80'0000U) != 0; }
-/// Internal.
 [[nodiscard]] constexpr bool is_finite(std::uint64_t bits) noexcept { return (~bits & 0x7FF0'0000'0000'0000U) != 0; }
+
+} // namespace detail
 
 /// `count` steps of a unit, as a floating point number: `real<kilowatt_hours>`. Compares with quantities and other reals
 /// of its dimension, by value: in double, which is exact where both counts have up to 53 bits. Sums and multiples are
 /// rounded as floating point is.
-template <any_quantity Unit, std::floating_point Float = float> class real {
+template <detail::any_quantity Unit, std::floating_point Float = float> class real {
 public:
     using dimension = typename Unit::dimension;
     using scale = typename Unit::scale;
@@ -83,23 +80,23 @@ public:
     explicit constexpr real(Float count) noexcept : count_{count} {}
 
     /// The nearest to a quantity: `real<kilowatt_hours> least = 2.5_kWh`. One that is out of range is infinite.
-    template <any_quantity Amount>
+    template <detail::any_quantity Amount>
         requires(std::same_as<typename Amount::dimension, dimension>)
     constexpr real(Amount measured) noexcept
-        : count_{static_cast<Float>(
-              scaled_by_ratio<std::ratio_divide<typename Amount::scale, scale>>(count_or_infinity(measured.count())))}
+        : count_{static_cast<Float>(detail::scaled_by_ratio<std::ratio_divide<typename Amount::scale, scale>>(
+              detail::count_or_infinity(measured.count())))}
     {}
 
     [[nodiscard]] constexpr Float count() const noexcept { return count_; }
 
     /// The nearest whole number of steps of a quantity, halves away from zero. `value_too_high`, `value_too_low` where
     /// the quantity cannot hold it, `value_without_meaning` where it is not a number.
-    template <any_quantity Target> [[nodiscard]] constexpr result<Target> rounded_to() const noexcept
+    template <detail::any_quantity Target> [[nodiscard]] constexpr result<Target> rounded_to() const noexcept
     {
         static_assert(std::same_as<typename Target::dimension, dimension>,
                       "these two measure different things: name a quantity of the same");
         using limits = std::numeric_limits<typename Target::rep>;
-        double const steps = scaled_by_ratio<std::ratio_divide<scale, typename Target::scale>>(count_);
+        double const steps = detail::scaled_by_ratio<std::ratio_divide<scale, typename Target::scale>>(count_);
         if (not(steps >= 0) and not(steps < 0)) {
             return errc::value_without_meaning;
         }
@@ -129,29 +126,30 @@ private:
 };
 
 /// Compared by value; not a number is neither less nor equal nor greater.
-template <any_amount Left, any_amount Right>
-    requires(any_real<Left> or any_real<Right>)
+template <detail::any_amount Left, detail::any_amount Right>
+    requires(detail::any_real<Left> or detail::any_real<Right>)
 [[nodiscard]] constexpr std::partial_ordering operator<=>(Left left, Right right) noexcept
 {
-    static_assert(are_of_one_dimension<Left, Right>, "these two measure different things, and do not compare");
+    static_assert(detail::are_of_one_dimension<Left, Right>, "these two measure different things, and do not compare");
     // Whole factors on both sides: a division would round.
     using steps = std::ratio_divide<typename Left::scale, typename Right::scale>;
-    return scaled_by_ratio<std::ratio<steps::num>>(static_cast<double>(left.count())) <=>
-           scaled_by_ratio<std::ratio<steps::den>>(static_cast<double>(right.count()));
+    return detail::scaled_by_ratio<std::ratio<steps::num>>(static_cast<double>(left.count())) <=>
+           detail::scaled_by_ratio<std::ratio<steps::den>>(static_cast<double>(right.count()));
 }
-template <any_amount Left, any_amount Right>
-    requires(any_real<Left> or any_real<Right>)
+template <detail::any_amount Left, detail::any_amount Right>
+    requires(detail::any_real<Left> or detail::any_real<Right>)
 [[nodiscard]] constexpr bool operator==(Left left, Right right) noexcept { return (left <=> right) == 0; }
 
 /// What has no unit does not compare.
-template <any_real Amount, plain_number Number> constexpr std::partial_ordering operator<=>(Amount, Number) noexcept
+template <detail::any_real Amount, detail::plain_number Number>
+constexpr std::partial_ordering operator<=>(Amount, Number) noexcept
 {
-    static_assert(has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
     return std::partial_ordering::unordered;
 }
-template <any_real Amount, plain_number Number> constexpr bool operator==(Amount, Number) noexcept
+template <detail::any_real Amount, detail::plain_number Number> constexpr bool operator==(Amount, Number) noexcept
 {
-    static_assert(has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
     return false;
 }
 

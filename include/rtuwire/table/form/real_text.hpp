@@ -18,8 +18,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// What IEEE 754 makes of a number's bits.
-/// Internal.
 template <typename Float> struct float_layout {
     static constexpr bool is_single = sizeof(Float) == 4;
     using bits = std::conditional_t<is_single, std::uint32_t, std::uint64_t>;
@@ -32,7 +33,6 @@ template <typename Float> struct float_layout {
 };
 
 /// The whole of a finite number as a binary one with a fixed point, from which the decimal digits are taken.
-/// Internal.
 template <typename Float> class fixed_point {
     using layout = float_layout<Float>;
     static constexpr std::size_t behind = layout::words_behind_point;
@@ -102,7 +102,6 @@ private:
 };
 
 /// Decimal digits, the first one not 0, and the power of ten that it counts.
-/// Internal.
 struct decimal_digits {
     static constexpr int most = 15;
     std::array<std::uint8_t, most> digits{};
@@ -134,7 +133,6 @@ struct decimal_digits {
 
 /// The digits of a finite number above zero, times a power of ten: at least so many as its type has, all before the
 /// point where these are up to 15, rounded to the nearest, halves to the even one.
-/// Internal.
 template <typename Float>
 [[nodiscard]] constexpr decimal_digits digits_of(typename float_layout<Float>::bits bits, int shift) noexcept
 {
@@ -173,7 +171,6 @@ template <typename Float>
 }
 
 /// Sets digits before a text: plain from 0.00001 up to 15 digits before the point, else as "1.5e-7".
-/// Internal.
 template <std::size_t Capacity>
 constexpr void precede_by_digits(short_text<Capacity>& text, decimal_digits const& number) noexcept
 {
@@ -195,15 +192,17 @@ constexpr void precede_by_digits(short_text<Capacity>& text, decimal_digits cons
     }
 }
 
+} // namespace detail
+
 /// An amount with its unit: "12.5 kWh", "0.001 A", "1.5e21 W". Seven digits of a float, 15 of a double, rounded to the
 /// nearest, zeros at the end left out; all that stand before the point, where they are up to 15.
 template <typename Unit, typename Float> [[nodiscard]] constexpr auto text_of(real<Unit, Float> amount) noexcept
 {
-    using layout = float_layout<Float>;
-    constexpr int shift = power_of_ten<typename Unit::scale>();
-    static_assert(shift > no_power_of_ten, "this step is no power of ten: it has no digits");
-    constexpr std::size_t longest = 1 + 2 + 4 + decimal_digits::most + 5;
-    short_text<longest + sizeof(Unit::dimension::symbol)> text;
+    using layout = detail::float_layout<Float>;
+    constexpr int shift = detail::power_of_ten<typename Unit::scale>();
+    static_assert(shift > detail::no_power_of_ten, "this step is no power of ten: it has no digits");
+    constexpr std::size_t longest = 1 + 2 + 4 + detail::decimal_digits::most + 5;
+    detail::short_text<longest + sizeof(Unit::dimension::symbol)> text;
     auto const bits = std::bit_cast<typename layout::bits>(amount.count());
     constexpr auto sign = static_cast<typename layout::bits>(typename layout::bits{1} << (8U * sizeof(Float) - 1U));
     if constexpr (sizeof(Unit::dimension::symbol) > 1) {
@@ -211,7 +210,7 @@ template <typename Unit, typename Float> [[nodiscard]] constexpr auto text_of(re
         text.precede(' ');
     }
     auto const size = static_cast<typename layout::bits>(bits & ~sign);
-    if (not is_finite(bits)) {
+    if (not detail::is_finite(bits)) {
         text = {};
         text.precede((size << (sizeof(Float) * 8U - layout::fraction_bits)) != 0 ? literal{"not a number"}
                                                                                  : literal{"infinite"});
@@ -221,7 +220,7 @@ template <typename Unit, typename Float> [[nodiscard]] constexpr auto text_of(re
         text.precede('0');
         return text;
     }
-    precede_by_digits(text, digits_of<Float>(size, shift));
+    detail::precede_by_digits(text, detail::digits_of<Float>(size, shift));
     if (size != bits) {
         text.precede('-');
     }

@@ -25,8 +25,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// A count times ten to the power of a number; an end of 64 bits where these do not hold it.
-/// Internal.
 [[nodiscard]] constexpr std::int64_t times_power_of_ten(std::int64_t count, int power) noexcept
 {
     constexpr int most = 19; // beyond the largest count
@@ -38,21 +39,23 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Two counts, each times ten to the power of its own number, compared exactly: only one is multiplied, and what 64
 /// bits do not hold of it is beyond the other.
-/// Internal.
 [[nodiscard]] constexpr std::strong_ordering compared_decimals(std::int64_t left, int left_power, std::int64_t right,
                                                                int right_power) noexcept
 {
     return times_power_of_ten(left, left_power - right_power) <=> times_power_of_ten(right, right_power - left_power);
 }
 
+} // namespace detail
+
 /// A count of `Unit`'s steps, times ten to the power of `exponent()`. Compares with quantities of its dimension, by
 /// value.
-template <any_quantity Unit> class scaled {
+template <detail::any_quantity Unit> class scaled {
 public:
     using unit = Unit;
     using dimension = typename Unit::dimension;
-    static constexpr int power_of_unit = power_of_ten<typename Unit::scale>();
-    static_assert(power_of_unit > no_power_of_ten, "this step is no power of ten: name a unit of which it is one");
+    static constexpr int power_of_unit = detail::power_of_ten<typename Unit::scale>();
+    static_assert(power_of_unit > detail::no_power_of_ten,
+                  "this step is no power of ten: name a unit of which it is one");
 
     constexpr scaled() noexcept = default;
     constexpr scaled(typename Unit::rep count, int exponent) noexcept
@@ -65,44 +68,46 @@ public:
 
     /// The nearest whole number of steps of a quantity, halves away from zero; `value_too_high` or `value_too_low` where
     /// it cannot hold them.
-    template <any_quantity Target> [[nodiscard]] constexpr result<Target> rounded_to() const noexcept
+    template <detail::any_quantity Target> [[nodiscard]] constexpr result<Target> rounded_to() const noexcept
     {
         static_assert(std::same_as<typename Target::dimension, dimension>,
                       "these two measure different things: name a quantity of the same");
-        constexpr int target_power = power_of_ten<typename Target::scale>();
-        static_assert(target_power > no_power_of_ten, "this step is no power of ten: name a unit of which it is one");
+        constexpr int target_power = detail::power_of_ten<typename Target::scale>();
+        static_assert(target_power > detail::no_power_of_ten,
+                      "this step is no power of ten: name a unit of which it is one");
         int const power = exponent_ + power_of_unit - target_power;
-        std::int64_t const divisor = times_power_of_ten(1, -power);
-        std::int64_t const all = times_power_of_ten(count_, power);
+        std::int64_t const divisor = detail::times_power_of_ten(1, -power);
+        std::int64_t const all = detail::times_power_of_ten(count_, power);
         std::int64_t const rest = all % divisor;
-        std::int64_t const up = magnitude(rest) >= static_cast<std::uint64_t>(divisor - divisor / 2) ? 1 : 0;
+        std::int64_t const up = detail::magnitude(rest) >= static_cast<std::uint64_t>(divisor - divisor / 2) ? 1 : 0;
         std::int64_t const steps = all / divisor + (all < 0 ? -up : up);
         using limits = std::numeric_limits<typename Target::rep>;
-        if (std::cmp_greater(steps, (limits::max)()) or steps == above_all) {
+        if (std::cmp_greater(steps, (limits::max)()) or steps == detail::above_all) {
             return errc::value_too_high;
         }
-        if (std::cmp_less(steps, (limits::min)()) or steps == below_all) {
+        if (std::cmp_less(steps, (limits::min)()) or steps == detail::below_all) {
             return errc::value_too_low;
         }
         return Target{static_cast<typename Target::rep>(steps)};
     }
 
-    template <any_quantity Amount>
+    template <detail::any_quantity Amount>
     [[nodiscard]] friend constexpr std::strong_ordering operator<=>(scaled left, Amount right) noexcept
     {
         static_assert(std::same_as<typename Amount::dimension, dimension>,
                       "these two measure different things, and do not compare");
-        return compared_decimals(left.count_, left.exponent_ + power_of_unit, right.count(),
-                                 power_of_ten<typename Amount::scale>());
+        return detail::compared_decimals(left.count_, left.exponent_ + power_of_unit, right.count(),
+                                         detail::power_of_ten<typename Amount::scale>());
     }
-    template <any_quantity Amount> [[nodiscard]] friend constexpr bool operator==(scaled left, Amount right) noexcept
+    template <detail::any_quantity Amount>
+    [[nodiscard]] friend constexpr bool operator==(scaled left, Amount right) noexcept
     {
         return (left <=> right) == 0;
     }
     /// By value: 2300 with the exponent -1 is 230.
     [[nodiscard]] friend constexpr std::strong_ordering operator<=>(scaled left, scaled right) noexcept
     {
-        return compared_decimals(left.count_, left.exponent_, right.count_, right.exponent_);
+        return detail::compared_decimals(left.count_, left.exponent_, right.count_, right.exponent_);
     }
     [[nodiscard]] friend constexpr bool operator==(scaled left, scaled right) noexcept { return (left <=> right) == 0; }
 
@@ -116,7 +121,7 @@ template <typename Unit> [[nodiscard]] constexpr auto text_of(scaled<Unit> amoun
 {
     constexpr std::size_t digits = sizeof(typename Unit::rep) * 5 / 2 + 1;
     constexpr std::size_t most_zeros = 28; // 18 of the unit and 10 of the exponent
-    short_text<1 + digits + most_zeros + 2 + sizeof(Unit::dimension::symbol)> text;
+    detail::short_text<1 + digits + most_zeros + 2 + sizeof(Unit::dimension::symbol)> text;
     if constexpr (sizeof(Unit::dimension::symbol) > 1) {
         text.precede(literal{Unit::dimension::symbol});
         text.precede(' ');
@@ -126,7 +131,7 @@ template <typename Unit> [[nodiscard]] constexpr auto text_of(scaled<Unit> amoun
     for (int i = 0; i < power and count != 0; ++i) {
         text.precede('0');
     }
-    precede_by_number(text, magnitude(count), power < 0 ? static_cast<unsigned>(-power) : 0U);
+    detail::precede_by_number(text, detail::magnitude(count), power < 0 ? static_cast<unsigned>(-power) : 0U);
     if (count < 0) {
         text.precede('-');
     }
@@ -137,7 +142,7 @@ template <typename Unit> [[nodiscard]] constexpr auto text_of(scaled<Unit> amoun
 /// count is as wide and as signed as that of `Unit`, 16 or 32 bits. Both are read by one request. As SunSpec has it, the
 /// smallest signed and the largest unsigned number mean "not implemented", and a scale lies between -10 and 10: anything
 /// else is `value_without_meaning`. Such a register is written in steps that the program names: `write_with_step`.
-template <any_quantity Unit, auto const& Scale, word_order Order = word_order::high_first> struct scaled_by {
+template <detail::any_quantity Unit, auto const& Scale, word_order Order = word_order::high_first> struct scaled_by {
     using count_type = typename Unit::rep;
     static_assert(sizeof(count_type) == 2 or sizeof(count_type) == 4, "a scaled count has 16 or 32 bits");
     static_assert(std::same_as<value_of<Scale>, signed_count16>, "the scale is a register of signed_count16");
@@ -158,7 +163,7 @@ template <any_quantity Unit, auto const& Scale, word_order Order = word_order::h
     [[nodiscard]] static constexpr result<value_type> from_words(words const& from, std::uint16_t scale) noexcept
     {
         constexpr int most = 10;
-        int const exponent = from_word<signed_count16>(scale).count();
+        int const exponent = detail::from_word<signed_count16>(scale).count();
         count_type const count = count_in(from);
         using limits = std::numeric_limits<count_type>;
         bool const is_missing = count == (std::is_signed_v<count_type> ? (limits::min)() : (limits::max)());
@@ -172,9 +177,9 @@ private:
     static constexpr count_type count_in(words const& from) noexcept
     {
         if constexpr (word_count == 1) {
-            return static_cast<count_type>(swapped_for<Order>(from[0]));
+            return static_cast<count_type>(detail::swapped_for<Order>(from[0]));
         } else {
-            return static_cast<count_type>(joined<Order>(from));
+            return static_cast<count_type>(detail::joined<Order>(from));
         }
     }
 };

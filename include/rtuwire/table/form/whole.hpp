@@ -21,10 +21,11 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
 /// A whole number of `Wire` bits in as many registers; counts steps of `Unit`, whose own width does not matter. An
 /// amount counts in 64 bits at most, one of them the sign, and their two ends stand for "out of range". So a number of
 /// 64 bits beyond them is refused on reading, by `value_too_high` or `value_too_low`.
-/// Internal.
 template <std::integral Wire, any_quantity Unit, word_order Order> struct whole_form {
     static constexpr bool is_wide = sizeof(Wire) == 8;
     using count_type = std::conditional_t<is_wide, std::int64_t, Wire>;
@@ -89,14 +90,16 @@ template <std::integral Wire, any_quantity Unit, word_order Order> struct whole_
     }
 };
 
+} // namespace detail
+
 /// What a register of such numbers counts; plain numbers where no unit is named.
 template <typename Unit = count16, word_order Order = word_order::high_first>
-using unsigned32 = whole_form<std::uint32_t, Unit, Order>;
+using unsigned32 = detail::whole_form<std::uint32_t, Unit, Order>;
 template <typename Unit = count16, word_order Order = word_order::high_first>
-using signed32 = whole_form<std::int32_t, Unit, Order>;
+using signed32 = detail::whole_form<std::int32_t, Unit, Order>;
 template <typename Unit = count16, word_order Order = word_order::high_first>
-using unsigned64 = whole_form<std::uint64_t, Unit, Order>;
+using unsigned64 = detail::whole_form<std::uint64_t, Unit, Order>;
 template <typename Unit = count16, word_order Order = word_order::high_first>
-using signed64 = whole_form<std::int64_t, Unit, Order>;
+using signed64 = detail::whole_form<std::int64_t, Unit, Order>;
 
 } // namespace rtuwire

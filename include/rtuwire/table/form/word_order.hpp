@@ -23,20 +23,20 @@ enum class word_order : std::uint8_t {
     low_first_bytes_swapped,  ///< DCBA: least significant byte first
 };
 
+namespace detail {
+
 /// Internal.
 [[nodiscard]] constexpr bool is_low_first(word_order order) noexcept
 {
     return order == word_order::low_first or order == word_order::low_first_bytes_swapped;
 }
 
-/// Internal.
 [[nodiscard]] constexpr bool swaps_bytes(word_order order) noexcept
 {
     return order == word_order::high_first_bytes_swapped or order == word_order::low_first_bytes_swapped;
 }
 
 /// A word as it travels in an order, from one with the high byte first, and back.
-/// Internal.
 template <word_order Order> [[nodiscard]] constexpr std::uint16_t swapped_for(std::uint16_t word) noexcept
 {
     return swaps_bytes(Order) ? static_cast<std::uint16_t>(std::uint32_t{word} << 8U | std::uint32_t{word} >> 8U)
@@ -44,11 +44,9 @@ template <word_order Order> [[nodiscard]] constexpr std::uint16_t swapped_for(st
 }
 
 /// The bits of so many words.
-/// Internal.
 template <std::size_t Words> using bits_of = std::conditional_t<Words == 2, std::uint32_t, std::uint64_t>;
 
 /// The number in 2 or 4 words.
-/// Internal.
 template <word_order Order, std::size_t Words>
 [[nodiscard]] constexpr bits_of<Words> joined(std::array<std::uint16_t, Words> const& words) noexcept
 {
@@ -62,7 +60,6 @@ template <word_order Order, std::size_t Words>
 }
 
 /// The 2 or 4 words of a number.
-/// Internal.
 template <word_order Order, std::size_t Words>
 [[nodiscard]] constexpr std::array<std::uint16_t, Words> separated(bits_of<Words> bits) noexcept
 {
@@ -73,5 +70,7 @@ template <word_order Order, std::size_t Words>
     }
     return words;
 }
+
+} // namespace detail
 
 } // namespace rtuwire

@@ -20,7 +20,7 @@ enum class identification_access : std::uint8_t {
     basic = 1,
     regular = 2,
     extended = 3,
-    single = identification_row::single_access
+    single = detail::identification_row::single_access
 };
 
 /// The objects every device has.
@@ -32,7 +32,7 @@ inline constexpr std::uint8_t major_minor_revision = 0x02;
 /// `first()` and `after()`.
 struct device_identification {
     static constexpr std::size_t max_size = max_pdu_size;
-    static constexpr std::size_t head_size = identification_row::head;
+    static constexpr std::size_t head_size = detail::identification_row::head;
 
     /// One object: its number and its text, not terminated.
     struct object {
@@ -52,14 +52,14 @@ struct device_identification {
         if (size() > max_size) {
             return errc::frame_too_long;
         }
-        std::size_t const found = objects_in(list);
+        std::size_t const found = detail::objects_in(list);
         return found > 0 and found == count ? errc::none : errc::malformed;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return head_size + list.size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(function_code::encapsulated_interface));
-        out.u8(identification_mei_type);
+        out.u8(detail::to_u8(function_code::encapsulated_interface));
+        out.u8(detail::identification_mei_type);
         out.u8(static_cast<std::uint32_t>(access));
         out.u8(conformity);
         out.u8(more_follows ? 0xFFU : 0U);
@@ -106,7 +106,7 @@ struct device_identification {
     /// when the object count and the bytes disagree or the numbers do not rise, or none.
     [[nodiscard]] static constexpr errc check_page(byte_view pdu) noexcept
     {
-        return identification_row::check_page(pdu);
+        return detail::identification_row::check_page(pdu);
     }
 
     /// Reads a PDU. Errors: those of `check_page`.
@@ -115,43 +115,43 @@ struct device_identification {
         if (errc const wrong = check_page(pdu); wrong != errc::none) {
             return wrong;
         }
-        return device_identification{static_cast<identification_access>(to_u8(pdu[2])),
-                                     to_u8(pdu[3]),
-                                     to_u8(pdu[4]) == 0xFF,
-                                     to_u8(pdu[5]),
-                                     to_u8(pdu[6]),
+        return device_identification{static_cast<identification_access>(detail::to_u8(pdu[2])),
+                                     detail::to_u8(pdu[3]),
+                                     detail::to_u8(pdu[4]) == 0xFF,
+                                     detail::to_u8(pdu[5]),
+                                     detail::to_u8(pdu[6]),
                                      pdu.subspan(head_size)};
     }
 
 private:
     template <typename Object> static constexpr std::optional<Object> object_in(byte_view bytes) noexcept
     {
-        if (bytes.size() < 2 or bytes.size() - 2 < to_u8(bytes[1])) {
+        if (bytes.size() < 2 or bytes.size() - 2 < detail::to_u8(bytes[1])) {
             return std::nullopt;
         }
-        return Object{to_u8(bytes[0]), bytes.subspan(2, to_u8(bytes[1]))};
+        return Object{detail::to_u8(bytes[0]), bytes.subspan(2, detail::to_u8(bytes[1]))};
     }
 };
 
 /// Requests the identification of one unit, from one object on.
 struct read_device_identification {
     using response = device_identification;
-    static constexpr function_code code = function_row<read_device_identification>::code;
-    static constexpr frame_rules rules = function_row<read_device_identification>::rules;
-    static constexpr std::size_t max_size = identification_row::max_size;
+    static constexpr function_code code = detail::function_row<read_device_identification>::code;
+    static constexpr detail::frame_rules rules = detail::function_row<read_device_identification>::rules;
+    static constexpr std::size_t max_size = detail::identification_row::max_size;
 
     identification_access access{identification_access::basic};
     std::uint8_t object{vendor_name};
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return is_quantity(static_cast<std::uint8_t>(access), 4) ? errc::none : errc::malformed;
+        return detail::is_quantity(static_cast<std::uint8_t>(access), 4) ? errc::none : errc::malformed;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(function_code::encapsulated_interface));
-        out.u8(identification_mei_type);
+        out.u8(detail::to_u8(function_code::encapsulated_interface));
+        out.u8(detail::identification_mei_type);
         out.u8(static_cast<std::uint32_t>(access));
         out.u8(object);
     }
@@ -160,16 +160,17 @@ struct read_device_identification {
     /// `malformed` for an access code outside 1..4.
     [[nodiscard]] static constexpr result<read_device_identification> decode(byte_view pdu) noexcept
     {
-        if (not is_pdu_of(pdu, function_code::encapsulated_interface)) {
+        if (not detail::is_pdu_of(pdu, function_code::encapsulated_interface)) {
             return errc::wrong_function;
         }
-        if (pdu.size() >= 2 and to_u8(pdu[1]) != identification_mei_type) {
+        if (pdu.size() >= 2 and detail::to_u8(pdu[1]) != detail::identification_mei_type) {
             return errc::wrong_function;
         }
         if (pdu.size() != max_size) {
             return errc::wrong_length;
         }
-        read_device_identification const read{static_cast<identification_access>(to_u8(pdu[2])), to_u8(pdu[3])};
+        read_device_identification const read{static_cast<identification_access>(detail::to_u8(pdu[2])),
+                                              detail::to_u8(pdu[3])};
         if (errc const wrong = read.check(); wrong != errc::none) {
             return wrong;
         }

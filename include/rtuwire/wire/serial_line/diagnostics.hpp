@@ -19,10 +19,10 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// stored elsewhere.
 template <typename Words> struct diagnostics {
     using response = diagnostics<>;
-    static constexpr function_code code = function_row<diagnostics<>>::code;
-    static constexpr frame_rules rules = function_row<diagnostics<>>::rules;
+    static constexpr function_code code = detail::function_row<diagnostics<>>::code;
+    static constexpr detail::frame_rules rules = detail::function_row<diagnostics<>>::rules;
     static constexpr std::size_t max_words = 125;
-    static constexpr std::size_t max_size = 3U + bytes_at_most<Words, max_words>;
+    static constexpr std::size_t max_size = 3U + detail::bytes_at_most<Words, max_words>;
 
     subfunction what;
     /// One word for every sub-function but `return_query_data`, which takes 1..125 and has them
@@ -32,12 +32,12 @@ template <typename Words> struct diagnostics {
     [[nodiscard]] constexpr errc check() const noexcept
     {
         std::size_t const most = what == subfunction::return_query_data ? max_words : 1;
-        return is_quantity(data.size(), most) ? errc::none : errc::invalid_quantity;
+        return detail::is_quantity(data.size(), most) ? errc::none : errc::invalid_quantity;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 3 + data.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(function_code::diagnostics));
+        out.u8(detail::to_u8(function_code::diagnostics));
         out.u16(static_cast<std::uint32_t>(what));
         out.bytes(data.bytes());
     }
@@ -46,13 +46,13 @@ template <typename Words> struct diagnostics {
     [[nodiscard]] static constexpr result<diagnostics<>> decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 3;
-        if (not is_pdu_of(pdu, function_code::diagnostics)) {
+        if (not detail::is_pdu_of(pdu, function_code::diagnostics)) {
             return errc::wrong_function;
         }
         if (pdu.size() < head or (pdu.size() - head) % 2 != 0) {
             return errc::wrong_length;
         }
-        diagnostics<> const read{static_cast<subfunction>(u16_at(pdu, 1)), register_view{pdu.subspan(head)}};
+        diagnostics<> const read{static_cast<subfunction>(detail::u16_at(pdu, 1)), register_view{pdu.subspan(head)}};
         if (errc const wrong = read.check(); wrong != errc::none) {
             return wrong;
         }
@@ -66,7 +66,7 @@ template <std::size_t Count> diagnostics(subfunction, register_block<Count>) -> 
 template <typename Left, typename Right>
 constexpr bool operator==(diagnostics<Left> const& left, diagnostics<Right> const& right) noexcept
 {
-    return left.what == right.what and same_bytes(left.data.bytes(), right.data.bytes());
+    return left.what == right.what and detail::same_bytes(left.data.bytes(), right.data.bytes());
 }
 
 /// The response to function 11.
@@ -84,15 +84,15 @@ struct get_comm_event_counter_response {
         return status == 0 or status == 0xFFFF ? errc::none : errc::malformed;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { write_head(out, code, status, events); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_head(out, code, status, events); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `malformed` for a status other than 0 and FFFF.
     [[nodiscard]] static constexpr result<get_comm_event_counter_response> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
-        return checked_pdu(get_comm_event_counter_response{u16_at(pdu, 1), u16_at(pdu, 3)});
+        return detail::checked_pdu(get_comm_event_counter_response{detail::u16_at(pdu, 1), detail::u16_at(pdu, 3)});
     }
 
     friend constexpr bool operator==(get_comm_event_counter_response const&,
@@ -102,18 +102,18 @@ struct get_comm_event_counter_response {
 /// Asks one unit how many requests it has executed; exceptions and requests of this function do not count.
 struct get_comm_event_counter {
     using response = get_comm_event_counter_response;
-    static constexpr function_code code = function_row<get_comm_event_counter>::code;
-    static constexpr frame_rules rules = function_row<get_comm_event_counter>::rules;
+    static constexpr function_code code = detail::function_row<get_comm_event_counter>::code;
+    static constexpr detail::frame_rules rules = detail::function_row<get_comm_event_counter>::rules;
     static constexpr std::size_t max_size = 1;
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { out.u8(to_u8(code)); }
+    constexpr void write(byte_writer& out) const noexcept { out.u8(detail::to_u8(code)); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<get_comm_event_counter> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
         return get_comm_event_counter{};
@@ -126,8 +126,8 @@ struct get_comm_event_counter {
     {
         static_assert(
             requires { at.line.event_count(); }, "a server of function 11 counts: take counting_server::with<...>");
-        put_u16(&pdu.bytes[1], 0); // never under way
-        put_u16(&pdu.bytes[3], at.line.event_count());
+        detail::put_u16(&pdu.bytes[1], 0); // never under way
+        detail::put_u16(&pdu.bytes[3], at.line.event_count());
         pdu.size = response::max_size;
         return errc::none;
     }
@@ -158,11 +158,11 @@ struct get_comm_event_log_response {
     {
         constexpr std::size_t head = 8;
         if (std::byte* const at = out.take(head); at != nullptr) {
-            at[0] = to_byte(to_u8(code));
-            at[1] = to_byte(static_cast<std::uint32_t>(6 + log.size()));
-            put_u16(at + 2, status);
-            put_u16(at + 4, events);
-            put_u16(at + 6, messages);
+            at[0] = detail::to_byte(detail::to_u8(code));
+            at[1] = detail::to_byte(static_cast<std::uint32_t>(6 + log.size()));
+            detail::put_u16(at + 2, status);
+            detail::put_u16(at + 4, events);
+            detail::put_u16(at + 6, messages);
         }
         out.bytes(log);
     }
@@ -172,33 +172,33 @@ struct get_comm_event_log_response {
     [[nodiscard]] static constexpr result<get_comm_event_log_response> decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 6;
-        auto const bytes = decode_counted(pdu, code);
+        auto const bytes = detail::decode_counted(pdu, code);
         if (not bytes) {
             return bytes.error();
         }
         if (bytes->size() < head) {
             return errc::wrong_length;
         }
-        return checked_pdu(
-            get_comm_event_log_response{u16_at(*bytes, 0), u16_at(*bytes, 2), u16_at(*bytes, 4), bytes->subspan(head)});
+        return detail::checked_pdu(get_comm_event_log_response{detail::u16_at(*bytes, 0), detail::u16_at(*bytes, 2),
+                                                               detail::u16_at(*bytes, 4), bytes->subspan(head)});
     }
 };
 
 /// Asks one unit for its counters and the log of what happened on its line.
 struct get_comm_event_log {
     using response = get_comm_event_log_response;
-    static constexpr function_code code = function_row<get_comm_event_log>::code;
-    static constexpr frame_rules rules = function_row<get_comm_event_log>::rules;
+    static constexpr function_code code = detail::function_row<get_comm_event_log>::code;
+    static constexpr detail::frame_rules rules = detail::function_row<get_comm_event_log>::rules;
     static constexpr std::size_t max_size = 1;
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { out.u8(to_u8(code)); }
+    constexpr void write(byte_writer& out) const noexcept { out.u8(detail::to_u8(code)); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<get_comm_event_log> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
         return get_comm_event_log{};

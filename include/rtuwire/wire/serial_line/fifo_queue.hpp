@@ -14,7 +14,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// The response to function 24: the registers that the queue holds, up to 31.
 struct read_fifo_queue_response {
     static constexpr function_code code = function_code::read_fifo_queue;
-    static constexpr std::size_t most = fifo_queue_row::most;
+    static constexpr std::size_t most = detail::fifo_queue_row::most;
     static constexpr std::size_t max_size = 5 + 2 * most;
 
     /// In wire order; after decoding, a view of the received bytes.
@@ -27,8 +27,8 @@ struct read_fifo_queue_response {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 5 + registers.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        write_head(out, code, static_cast<std::uint32_t>(2 + registers.bytes().size()),
-                   static_cast<std::uint32_t>(registers.size()));
+        detail::write_head(out, code, static_cast<std::uint32_t>(2 + registers.bytes().size()),
+                           static_cast<std::uint32_t>(registers.size()));
         out.bytes(registers.bytes());
     }
 
@@ -37,22 +37,22 @@ struct read_fifo_queue_response {
     [[nodiscard]] static constexpr result<read_fifo_queue_response> decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 5;
-        if (not is_pdu_of(pdu, code)) {
+        if (not detail::is_pdu_of(pdu, code)) {
             return errc::wrong_function;
         }
-        if (pdu.size() < head or pdu.size() != 3U + u16_at(pdu, 1) or
-            pdu.size() != head + std::size_t{2} * u16_at(pdu, 3)) {
+        if (pdu.size() < head or pdu.size() != 3U + detail::u16_at(pdu, 1) or
+            pdu.size() != head + std::size_t{2} * detail::u16_at(pdu, 3)) {
             return errc::wrong_length;
         }
-        return checked_pdu(read_fifo_queue_response{register_view{pdu.subspan(head)}});
+        return detail::checked_pdu(read_fifo_queue_response{register_view{pdu.subspan(head)}});
     }
 };
 
 /// Reads a queue of one unit.
 struct read_fifo_queue {
     using response = read_fifo_queue_response;
-    static constexpr function_code code = function_row<read_fifo_queue>::code;
-    static constexpr frame_rules rules = function_row<read_fifo_queue>::rules;
+    static constexpr function_code code = detail::function_row<read_fifo_queue>::code;
+    static constexpr detail::frame_rules rules = detail::function_row<read_fifo_queue>::rules;
     static constexpr std::size_t max_size = 3;
 
     std::uint16_t address; ///< of the queue's pointer
@@ -61,24 +61,24 @@ struct read_fifo_queue {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(code));
+        out.u8(detail::to_u8(code));
         out.u16(address);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<read_fifo_queue> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
-        return read_fifo_queue{u16_at(pdu, 1)};
+        return read_fifo_queue{detail::u16_at(pdu, 1)};
     }
 
     /// Whether a response's byte count and queue count agree, and no more than 31 registers came.
     /// Internal.
     [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
     {
-        return function_row<read_fifo_queue>::check_response(request_pdu, response_pdu);
+        return detail::function_row<read_fifo_queue>::check_response(request_pdu, response_pdu);
     }
 
     /// Whether a bank has what this function serves.
@@ -97,7 +97,7 @@ struct read_fifo_queue {
                       "a server of function 24 needs a bank with read_fifo(address, out)");
         constexpr std::size_t head = 5;
         byte_writer out{pdu.bytes.subspan(head)};
-        if (errc const wrong = at.bank.read_fifo(u16_at(pdu.bytes, 1), out); wrong != errc::none) {
+        if (errc const wrong = at.bank.read_fifo(detail::u16_at(pdu.bytes, 1), out); wrong != errc::none) {
             return wrong;
         }
         if (out.size() > 2 * response::most) {
@@ -106,8 +106,8 @@ struct read_fifo_queue {
         if (out.size() % 2 != 0) {
             return errc::server_device_failure;
         }
-        put_u16(&pdu.bytes[1], static_cast<std::uint16_t>(2 + out.size()));
-        put_u16(&pdu.bytes[3], static_cast<std::uint16_t>(out.size() / 2));
+        detail::put_u16(&pdu.bytes[1], static_cast<std::uint16_t>(2 + out.size()));
+        detail::put_u16(&pdu.bytes[3], static_cast<std::uint16_t>(out.size() / 2));
         pdu.size = head + out.size();
         return errc::none;
     }

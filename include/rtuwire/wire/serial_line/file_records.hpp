@@ -43,8 +43,9 @@ struct file_run {
     friend constexpr bool operator==(file_run const&, file_run const&) = default;
 };
 
+namespace detail {
+
 /// Reads a run's head; the caller has checked that its bytes are there.
-/// Internal.
 [[nodiscard]] constexpr file_run file_run_at(byte_view bytes, std::size_t at) noexcept
 {
     return {u16_at(bytes, at + 1), u16_at(bytes, at + 3), u16_at(bytes, at + 5)};
@@ -52,7 +53,6 @@ struct file_run {
 
 /// Takes a run off the front of bytes, with its records where they follow it. Errors: `wrong_length` where the bytes end
 /// within it, `malformed` for another reference, and those of the run.
-/// Internal.
 [[nodiscard]] constexpr errc take_run(byte_view& bytes, file_run& run, bool with_records) noexcept
 {
     if (bytes.size() < file_run_size) {
@@ -71,7 +71,6 @@ struct file_run {
 }
 
 /// The records of a run that was just taken, where they ended at `end`.
-/// Internal.
 [[nodiscard]] constexpr register_view records_of(file_run const& run, std::byte const* end) noexcept
 {
     std::size_t const size = std::size_t{2} * run.count;
@@ -79,18 +78,15 @@ struct file_run {
 }
 
 /// The most bytes behind the byte count of a response of function 20.
-/// Internal.
 inline constexpr std::size_t max_file_answer = 245;
 
 /// The bytes of a run in that response: size, reference, records.
-/// Internal.
 [[nodiscard]] constexpr std::size_t size_of_answer(file_run const& run) noexcept
 {
     return 2U + std::size_t{2} * run.count;
 }
 
 /// Writes a run's head.
-/// Internal.
 constexpr void write_run(byte_writer& out, file_run const& run) noexcept
 {
     out.u8(file_reference);
@@ -101,7 +97,6 @@ constexpr void write_run(byte_writer& out, file_run const& run) noexcept
 
 /// The exception to a request in which that was found: another reference, file or record is an address to the
 /// specification's diagrams.
-/// Internal.
 [[nodiscard]] constexpr errc file_exception(errc wrong) noexcept
 {
     bool const is_address = wrong == errc::malformed or wrong == errc::invalid_address_range;
@@ -109,13 +104,11 @@ constexpr void write_run(byte_writer& out, file_run const& run) noexcept
 }
 
 /// Whether a bank has files to read, and to write.
-/// Internal.
 template <typename Bank>
 concept reads_files = requires(Bank& bank, byte_writer& out, file_run run)
 {
     bank.read_file(run, out);
 };
-/// Internal.
 template <typename Bank>
 concept writes_files = requires(Bank& bank, file_run run, register_view values)
 {
@@ -123,7 +116,6 @@ concept writes_files = requires(Bank& bank, file_run run, register_view values)
 };
 
 /// Checks with a bank a run that function 20 or 21 names.
-/// Internal.
 template <typename Bank>
 [[nodiscard]] constexpr errc check_run_of(Bank& bank, bool writes, file_run const& run, std::byte const* end) noexcept
 {
@@ -139,7 +131,6 @@ template <typename Bank>
 }
 
 /// Writes that run, or appends its part of a response.
-/// Internal.
 template <typename Bank>
 [[nodiscard]] constexpr errc access_run(Bank& bank, bool writes, file_run const& run, std::byte const* end,
                                         byte_writer& out) noexcept
@@ -163,7 +154,6 @@ template <typename Bank>
 
 /// Answers a request of function 20 or 21, whose data begin behind the byte count. One walk for both. All runs are
 /// checked before the first is accessed; the first that is wrong decides.
-/// Internal.
 template <typename Bank>
 [[nodiscard]] constexpr errc access_files(byte_view data, Bank& bank, bool writes, byte_writer& out) noexcept
 {
@@ -196,6 +186,8 @@ template <typename Bank>
     return errc::none;
 }
 
+} // namespace detail
+
 /// The response to function 20: the records of each run that was asked, in the order of the request.
 struct read_file_record_response {
     static constexpr function_code code = function_code::read_file_record;
@@ -210,7 +202,7 @@ struct read_file_record_response {
     {
         byte_view rest = data;
         while (has_run(rest)) {
-            std::size_t const size = to_u8(rest[0]);
+            std::size_t const size = detail::to_u8(rest[0]);
             if (index == 0) {
                 return Records{rest.subspan(2, size - 1)};
             }
@@ -224,26 +216,27 @@ struct read_file_record_response {
     {
         byte_view rest = data;
         while (has_run(rest)) {
-            rest = rest.subspan(1U + to_u8(rest[0]));
+            rest = rest.subspan(1U + detail::to_u8(rest[0]));
         }
         return data.empty() or not rest.empty() or data.size() > max_size - 2 ? errc::malformed : errc::none;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + data.size(); }
-    constexpr void write(byte_writer& out) const noexcept { write_counted(out, code, data); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_counted(out, code, data); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `malformed` where the runs do not fill it.
     [[nodiscard]] static constexpr result<read_file_record_response> decode(byte_view pdu) noexcept
     {
-        auto const bytes = decode_counted(pdu, code);
-        return bytes ? checked_pdu(read_file_record_response{*bytes}) : bytes.error();
+        auto const bytes = detail::decode_counted(pdu, code);
+        return bytes ? detail::checked_pdu(read_file_record_response{*bytes}) : bytes.error();
     }
 
 private:
     /// Whether these bytes begin with a whole run: an odd size, the reference and one register at least.
     static constexpr bool has_run(byte_view bytes) noexcept
     {
-        return bytes.size() >= 4 and to_u8(bytes[1]) == file_reference and to_u8(bytes[0]) >= 3 and
-               to_u8(bytes[0]) % 2 == 1 and bytes.size() > to_u8(bytes[0]);
+        return bytes.size() >= 4 and detail::to_u8(bytes[1]) == detail::file_reference and
+               detail::to_u8(bytes[0]) >= 3 and detail::to_u8(bytes[0]) % 2 == 1 and
+               bytes.size() > detail::to_u8(bytes[0]);
     }
 };
 
@@ -254,13 +247,13 @@ public:
     /// Internal: bytes of whole runs.
     explicit constexpr file_runs(byte_view bytes) noexcept : bytes_{bytes} {}
 
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return bytes_.size() / file_run_size; }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return bytes_.size() / detail::file_run_size; }
 
     /// The run at an index below `size()`; any other index is misuse, as in a `register_view`.
     [[nodiscard]] constexpr file_run operator[](std::size_t index) const noexcept
     {
-        require_register(index, size());
-        return file_run_at(bytes_, index * file_run_size);
+        detail::require_register(index, size());
+        return detail::file_run_at(bytes_, index * detail::file_run_size);
     }
 
 private:
@@ -271,16 +264,16 @@ private:
 /// runs, one after the other.
 template <typename Runs> struct read_file_record {
     using response = read_file_record_response;
-    static constexpr function_code code = function_row<read_file_record<>>::code;
-    static constexpr frame_rules rules = function_row<read_file_record<>>::rules;
+    static constexpr function_code code = detail::function_row<read_file_record<>>::code;
+    static constexpr detail::frame_rules rules = detail::function_row<read_file_record<>>::rules;
     static constexpr std::size_t most_runs = 35;
-    static constexpr std::size_t max_size = 2 + most_runs * file_run_size;
+    static constexpr std::size_t max_size = 2 + most_runs * detail::file_run_size;
 
     Runs runs; ///< 1..35, whose response has 245 bytes at most
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        if (not is_quantity(runs.size(), most_runs)) {
+        if (not detail::is_quantity(runs.size(), most_runs)) {
             return errc::invalid_quantity;
         }
         std::size_t answer = 0;
@@ -288,17 +281,17 @@ template <typename Runs> struct read_file_record {
             if (errc const wrong = runs[i].check(); wrong != errc::none) {
                 return wrong;
             }
-            answer += size_of_answer(runs[i]);
+            answer += detail::size_of_answer(runs[i]);
         }
         return answer > response::max_size - 2 ? errc::invalid_quantity : errc::none;
     }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + file_run_size * runs.size(); }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + detail::file_run_size * runs.size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(code));
-        out.u8(static_cast<std::uint32_t>(file_run_size * runs.size()));
+        out.u8(detail::to_u8(code));
+        out.u8(static_cast<std::uint32_t>(detail::file_run_size * runs.size()));
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            write_run(out, runs[i]);
+            detail::write_run(out, runs[i]);
         }
     }
 
@@ -306,12 +299,12 @@ template <typename Runs> struct read_file_record {
     /// Internal.
     [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
     {
-        return function_row<read_file_record<>>::check_response(request_pdu, response_pdu);
+        return detail::function_row<read_file_record<>>::check_response(request_pdu, response_pdu);
     }
 
     /// Whether a bank has what this function serves.
     /// Internal.
-    template <typename Bank> static constexpr bool is_served_by = reads_files<Bank>;
+    template <typename Bank> static constexpr bool is_served_by = detail::reads_files<Bank>;
 
     /// Answers a request.
     /// Internal.
@@ -320,26 +313,26 @@ template <typename Runs> struct read_file_record {
     {
         static_assert(is_served_by<decltype(at.bank)>,
                       "a server of function 20 needs a bank with check_read_file(run) and read_file(run, out)");
-        return access_files(pdu.view().subspan(2), at.bank, false, at.out);
+        return detail::access_files(pdu.view().subspan(2), at.bank, false, at.out);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `malformed` for another reference than 6, and those of
     /// `check`.
     [[nodiscard]] static constexpr result<read_file_record<>> decode(byte_view pdu) noexcept
     {
-        auto const bytes = decode_counted(pdu, code);
+        auto const bytes = detail::decode_counted(pdu, code);
         if (not bytes) {
             return bytes.error();
         }
-        if (bytes->size() % file_run_size != 0) {
+        if (bytes->size() % detail::file_run_size != 0) {
             return errc::wrong_length;
         }
-        for (std::size_t at = 0; at < bytes->size(); at += file_run_size) {
-            if (to_u8((*bytes)[at]) != file_reference) {
+        for (std::size_t at = 0; at < bytes->size(); at += detail::file_run_size) {
+            if (detail::to_u8((*bytes)[at]) != detail::file_reference) {
                 return errc::malformed;
             }
         }
-        return checked_pdu(read_file_record<>{file_runs{*bytes}});
+        return detail::checked_pdu(read_file_record<>{file_runs{*bytes}});
     }
 };
 
@@ -367,9 +360,9 @@ struct file_writes {
     [[nodiscard]] constexpr std::optional<Run> run(std::size_t index) const noexcept
     {
         file_run each{};
-        for (byte_view rest = data; take_run(rest, each, true) == errc::none; --index) {
+        for (byte_view rest = data; detail::take_run(rest, each, true) == errc::none; --index) {
             if (index == 0) {
-                return Run{each, records_of(each, rest.data())};
+                return Run{each, detail::records_of(each, rest.data())};
             }
         }
         return std::nullopt;
@@ -378,21 +371,21 @@ struct file_writes {
     [[nodiscard]] constexpr errc check() const noexcept
     {
         file_run each{};
-        errc wrong = is_quantity(data.size(), max_size - 2) ? errc::none : errc::invalid_quantity;
+        errc wrong = detail::is_quantity(data.size(), max_size - 2) ? errc::none : errc::invalid_quantity;
         for (byte_view rest = data; wrong == errc::none and not rest.empty();) {
-            wrong = take_run(rest, each, true);
+            wrong = detail::take_run(rest, each, true);
         }
         return wrong;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + data.size(); }
-    constexpr void write(byte_writer& out) const noexcept { write_counted(out, code, data); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_counted(out, code, data); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length` (where whole runs do not fill it too), `malformed` for
     /// another reference than 6, `invalid_quantity` without a run, and those of a `file_run`.
     [[nodiscard]] static constexpr result<file_writes> decode(byte_view pdu) noexcept
     {
-        auto const bytes = decode_counted(pdu, code);
-        return bytes ? checked_pdu(file_writes{*bytes}) : bytes.error();
+        auto const bytes = detail::decode_counted(pdu, code);
+        return bytes ? detail::checked_pdu(file_writes{*bytes}) : bytes.error();
     }
 };
 
@@ -400,10 +393,10 @@ struct file_writes {
 /// of a view, its words are stored elsewhere.
 template <typename Words> struct write_file_record {
     using response = file_writes;
-    static constexpr function_code code = function_row<write_file_record<>>::code;
-    static constexpr frame_rules rules = function_row<write_file_record<>>::rules;
+    static constexpr function_code code = detail::function_row<write_file_record<>>::code;
+    static constexpr detail::frame_rules rules = detail::function_row<write_file_record<>>::rules;
     static constexpr std::size_t most = 122;
-    static constexpr std::size_t max_size = 2U + file_run_size + bytes_at_most<Words, most>;
+    static constexpr std::size_t max_size = 2U + detail::file_run_size + detail::bytes_at_most<Words, most>;
     static constexpr bool may_be_broadcast = true;
 
     std::uint16_t file;   ///< 1..65535
@@ -412,14 +405,17 @@ template <typename Words> struct write_file_record {
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return is_quantity(values.size(), most) ? run().check() : errc::invalid_quantity;
+        return detail::is_quantity(values.size(), most) ? run().check() : errc::invalid_quantity;
     }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + file_run_size + values.bytes().size(); }
+    [[nodiscard]] constexpr std::size_t size() const noexcept
+    {
+        return 2 + detail::file_run_size + values.bytes().size();
+    }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(code));
-        out.u8(static_cast<std::uint32_t>(file_run_size + values.bytes().size()));
-        write_run(out, run());
+        out.u8(detail::to_u8(code));
+        out.u8(static_cast<std::uint32_t>(detail::file_run_size + values.bytes().size()));
+        detail::write_run(out, run());
         out.bytes(values.bytes());
     }
 
@@ -431,7 +427,7 @@ template <typename Words> struct write_file_record {
 
     /// Whether a bank has what this function serves.
     /// Internal.
-    template <typename Bank> static constexpr bool is_served_by = writes_files<Bank>;
+    template <typename Bank> static constexpr bool is_served_by = detail::writes_files<Bank>;
 
     /// Answers a request.
     /// Internal.
@@ -441,7 +437,7 @@ template <typename Words> struct write_file_record {
         static_assert(
             is_served_by<decltype(at.bank)>,
             "a server of function 21 needs a bank with check_write_file(run, values) and write_file(run, values)");
-        return access_files(pdu.view().subspan(2), at.bank, true, at.out);
+        return detail::access_files(pdu.view().subspan(2), at.bank, true, at.out);
     }
 
 private:

@@ -23,17 +23,17 @@ struct read_exception_status_response {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(code));
+        out.u8(detail::to_u8(code));
         out.u8(outputs);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<read_exception_status_response> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
-        return read_exception_status_response{to_u8(pdu[1])};
+        return read_exception_status_response{detail::to_u8(pdu[1])};
     }
 
     friend constexpr bool operator==(read_exception_status_response const&,
@@ -43,18 +43,18 @@ struct read_exception_status_response {
 /// Reads the eight exception status outputs of one unit, whose meaning its maker gives.
 struct read_exception_status {
     using response = read_exception_status_response;
-    static constexpr function_code code = function_row<read_exception_status>::code;
-    static constexpr frame_rules rules = function_row<read_exception_status>::rules;
+    static constexpr function_code code = detail::function_row<read_exception_status>::code;
+    static constexpr detail::frame_rules rules = detail::function_row<read_exception_status>::rules;
     static constexpr std::size_t max_size = 1;
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { out.u8(to_u8(code)); }
+    constexpr void write(byte_writer& out) const noexcept { out.u8(detail::to_u8(code)); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<read_exception_status> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
         return read_exception_status{};
@@ -70,7 +70,7 @@ struct read_exception_status {
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 07 needs a bank with exception_status()");
-        pdu.bytes[1] = to_byte(at.bank.exception_status());
+        pdu.bytes[1] = detail::to_byte(at.bank.exception_status());
         pdu.size = response::max_size;
         return errc::none;
     }
@@ -88,34 +88,34 @@ struct report_server_id_response {
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return is_quantity(data.size(), max_size - 2) ? errc::none : errc::invalid_quantity;
+        return detail::is_quantity(data.size(), max_size - 2) ? errc::none : errc::invalid_quantity;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + data.size(); }
-    constexpr void write(byte_writer& out) const noexcept { write_counted(out, code, data); }
+    constexpr void write(byte_writer& out) const noexcept { detail::write_counted(out, code, data); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity` where it is empty.
     [[nodiscard]] static constexpr result<report_server_id_response> decode(byte_view pdu) noexcept
     {
-        auto const bytes = decode_counted(pdu, code);
-        return bytes ? checked_pdu(report_server_id_response{*bytes}) : bytes.error();
+        auto const bytes = detail::decode_counted(pdu, code);
+        return bytes ? detail::checked_pdu(report_server_id_response{*bytes}) : bytes.error();
     }
 };
 
 /// Asks one unit what it is, and whether it runs.
 struct report_server_id {
     using response = report_server_id_response;
-    static constexpr function_code code = function_row<report_server_id>::code;
-    static constexpr frame_rules rules = function_row<report_server_id>::rules;
+    static constexpr function_code code = detail::function_row<report_server_id>::code;
+    static constexpr detail::frame_rules rules = detail::function_row<report_server_id>::rules;
     static constexpr std::size_t max_size = 1;
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { out.u8(to_u8(code)); }
+    constexpr void write(byte_writer& out) const noexcept { out.u8(detail::to_u8(code)); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<report_server_id> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
         return report_server_id{};

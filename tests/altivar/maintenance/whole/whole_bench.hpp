@@ -23,6 +23,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 /// A drive with all its parameters, and what the lists call it.
 struct whole_atv12 {
     using device = altivar::atv12::full_device;

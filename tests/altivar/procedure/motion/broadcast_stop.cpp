@@ -12,6 +12,7 @@
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using test::frames;
 

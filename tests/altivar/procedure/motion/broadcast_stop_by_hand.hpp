@@ -16,6 +16,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 using frames = std::vector<std::string>;
 
 inline constexpr instant start_of_all{0xFFFF'FF00U};

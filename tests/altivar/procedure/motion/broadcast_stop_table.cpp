@@ -17,6 +17,7 @@
 #include <rtuwire/altivar/atv320.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

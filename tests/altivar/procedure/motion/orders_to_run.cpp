@@ -22,6 +22,7 @@
 #include <rtuwire/client/orders.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -10,6 +10,7 @@
 #include <rtuwire/altivar/atv12.hpp>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 using namespace rtuwire::test;
 using kind = outcome_kind;

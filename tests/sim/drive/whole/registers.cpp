@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -9,6 +9,7 @@
 #include <cctype>
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -8,6 +8,7 @@
 #include "support/random.hpp"
 
 using namespace rtuwire;
+using namespace rtuwire::detail;
 using namespace rtuwire::altivar;
 
 namespace {

@@ -15,6 +15,8 @@
 
 namespace rtuwire::test {
 
+using namespace detail;
+
 using whole_drives = drive_list<altivar::atv12::full_device, altivar::atv310::full_device,
                                 altivar::atv310::full_device_2014, altivar::atv320::full_device>;
 

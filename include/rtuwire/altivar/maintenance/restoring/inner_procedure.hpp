@@ -69,7 +69,7 @@ public:
     [[nodiscard]] constexpr altivar::reason const& reason() const noexcept { return now().reason(); }
 
     /// What a status that was read shows of the motor's power, and whether a fault; each call clears what it returns.
-    constexpr power_seen take_power() noexcept { return now().take_power(); }
+    constexpr detail::power_seen take_power() noexcept { return now().take_power(); }
     constexpr bool take_fault() noexcept { return now().take_fault(); }
 
 private:

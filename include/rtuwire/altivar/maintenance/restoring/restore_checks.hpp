@@ -107,7 +107,7 @@ protected:
         }
     }
 
-    constexpr void read(address_block block) noexcept
+    constexpr void read(detail::address_block block) noexcept
     {
         doing_ = doing::reading_block;
         this->read_block(block);

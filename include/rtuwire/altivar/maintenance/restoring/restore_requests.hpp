@@ -23,15 +23,15 @@
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// A commander of one unit that has a request, a pause, or its end.
-class restore_requests : public commander {
+class restore_requests : public detail::commander {
 public:
-    static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
+    static constexpr conversation_properties properties{.urgency = detail::urgency::stop_of_unit,
                                                         .freshness = freshness::when_free};
 
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
 
     /// For the client: what the next request does to the motor, and when a unit counts as lost.
-    [[nodiscard]] constexpr effect intent() const noexcept { return this->effect_now(does_); }
+    [[nodiscard]] constexpr detail::effect intent() const noexcept { return this->effect_now(does_); }
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return layout_->longest_silence; }
     [[nodiscard]] static constexpr std::uint8_t tolerated_misses() noexcept { return 1; }
 
@@ -61,12 +61,12 @@ protected:
     [[nodiscard]] constexpr drive_layout const& layout() const noexcept { return *layout_; }
     [[nodiscard]] constexpr bool has_begun() const noexcept { return now_is_ != kind::nothing; }
     [[nodiscard]] constexpr bool is_asking() const noexcept { return is_asking_; }
-    [[nodiscard]] constexpr bool is_stopping() const noexcept { return does_ == effect::stopping; }
+    [[nodiscard]] constexpr bool is_stopping() const noexcept { return does_ == detail::effect::stopping; }
 
     constexpr void tick(instant now) noexcept
     {
         if (now_is_ == kind::pause) {
-            keep_over(pause_end_, now, within_reach(now_, now));
+            detail::keep_over(pause_end_, now, detail::within_reach(now_, now));
         }
         now_ = now;
     }
@@ -76,7 +76,7 @@ protected:
     }
     constexpr void note_outcome() noexcept { is_asking_ = false; }
 
-    constexpr void read_block(address_block block) noexcept
+    constexpr void read_block(detail::address_block block) noexcept
     {
         count_ = block.count;
         put(encode_into(frame_, unit_, read_holding_registers{block.start, block.count}));
@@ -93,7 +93,7 @@ protected:
     {
         if (what_of(what) == action_kind::pause) {
             now_is_ = kind::pause;
-            does_ = effect::none;
+            does_ = detail::effect::none;
             pause_end_ = now_ + length_of(what);
         } else if (what_of(what) == action_kind::read) {
             read_block({address_of(what), 1});
@@ -107,7 +107,7 @@ protected:
     constexpr void end() noexcept
     {
         now_is_ = kind::end;
-        does_ = effect::none;
+        does_ = detail::effect::none;
     }
 
     /// The words of a block that was read, or why there are none.
@@ -137,7 +137,7 @@ private:
     enum class kind : std::uint8_t { nothing, request, pause, end };
 
     constexpr void put(result<byte_span> const& frame, repetition again = repetition::allowed,
-                       effect does = effect::none) noexcept
+                       detail::effect does = detail::effect::none) noexcept
     {
         size_ = static_cast<std::uint8_t>(frame ? frame->size() : 0);
         now_is_ = kind::request;
@@ -154,7 +154,7 @@ private:
     std::uint8_t size_{0};
     kind now_is_{kind::nothing};
     repetition again_{repetition::allowed};
-    effect does_{effect::none};
+    detail::effect does_{detail::effect::none};
     bool is_asking_{false};
 };
 

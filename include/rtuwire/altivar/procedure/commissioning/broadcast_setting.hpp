@@ -42,11 +42,11 @@ template <device_type Device, auto const& R> [[nodiscard]] consteval bool is_for
 /// motors follow a ramp, a speed limit or a low speed at once; drives that run refuse configuration.
 template <device_type Device, auto const& R> [[nodiscard]] constexpr auto broadcast_setting(setting<R> value) noexcept
 {
-    static_assert(is_writable<R, Device>());
+    static_assert(detail::is_writable<R, Device>());
     static_assert(is_for_everyone<Device, R>(),
                   "a command, a channel or an address is not written to all drives at once");
-    static_assert(has_own_steps<R>, "another register sets this register's steps: name them with restepped");
-    static_assert(implements<Device>(function_code::write_single_register),
+    static_assert(detail::has_own_steps<R>, "another register sets this register's steps: name them with restepped");
+    static_assert(detail::implements<Device>(function_code::write_single_register),
                   "this device does not implement function 06");
     return single_request{broadcast, write_single_register{R.address, value.word()}};
 }

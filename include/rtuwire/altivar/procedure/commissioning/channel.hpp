@@ -54,7 +54,7 @@ public:
     /// The same with CHCF, CD1, FR1 or FLO set to `value`.
     template <auto const& R> [[nodiscard]] constexpr channel_settings with(setting<R> value) const noexcept
     {
-        static_assert(has_register<Device, R>, "this device has no such register");
+        static_assert(detail::has_register<Device, R>, "this device has no such register");
         static_assert(place_of<R>() < order.size(), "this register chooses no channel");
         channel_settings next = *this;
         next.words_[place_of<R>()] = {R.address, value.word()};

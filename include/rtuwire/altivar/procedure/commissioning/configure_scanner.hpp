@@ -23,14 +23,14 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 template <auto const&... Registers> struct scanner_inputs {
     static constexpr std::size_t count = sizeof...(Registers);
     static constexpr std::array<std::uint16_t, count> addresses{Registers.address...};
-    template <typename Device> static constexpr bool are_of = (has_register<Device, Registers> and ...);
+    template <typename Device> static constexpr bool are_of = (detail::has_register<Device, Registers> and ...);
 };
 
 /// Registers that the scanner writes, in the order of its output words.
 template <auto const&... Registers> struct scanner_outputs {
     static constexpr std::size_t count = sizeof...(Registers);
     static constexpr std::array<std::uint16_t, count> addresses{Registers.address...};
-    template <typename Device> static constexpr bool are_of = (has_register<Device, Registers> and ...);
+    template <typename Device> static constexpr bool are_of = (detail::has_register<Device, Registers> and ...);
     static constexpr bool are_writable = ((Registers.mode != access::read_only) and ...);
 };
 

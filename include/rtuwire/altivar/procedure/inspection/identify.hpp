@@ -22,14 +22,14 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The basic objects, as text. An object of more than 48 characters is an error, not a shorter text.
 struct identity {
-    fixed_buffer<48> vendor;
-    fixed_buffer<48> product;
-    fixed_buffer<48> revision;
+    detail::fixed_buffer<48> vendor;
+    detail::fixed_buffer<48> product;
+    detail::fixed_buffer<48> revision;
 };
 
 /// Reads the basic objects page by page. Errors: those of the client; `malformed` for pages that never
 /// end; `buffer_too_small` for a text over 48 characters.
-template <device_type Device> class identify : public finite_conversation {
+template <device_type Device> class identify : public detail::finite_conversation {
 public:
     static constexpr function_set asks{function_code::encapsulated_interface};
 
@@ -91,7 +91,7 @@ private:
     constexpr errc take(device_identification const& page) noexcept
     {
         for (auto at = page.first(); at; at = page.after(*at)) {
-            fixed_buffer<48>* const place = place_of(at->id);
+            detail::fixed_buffer<48>* const place = place_of(at->id);
             if (place == nullptr) {
                 continue;
             }
@@ -104,7 +104,7 @@ private:
         return errc::none;
     }
 
-    constexpr fixed_buffer<48>* place_of(std::uint8_t id) noexcept
+    constexpr detail::fixed_buffer<48>* place_of(std::uint8_t id) noexcept
     {
         switch (id) {
         case vendor_name: return &found_.vendor;
@@ -115,14 +115,14 @@ private:
     }
 
     identity found_{};
-    frame_of<read_device_identification> frame_{};
+    detail::frame_of<read_device_identification> frame_{};
     unit_id unit_;
     std::uint8_t asked_{0};
 };
 
 /// A device without function 43: `latest()` holds the registers of its nameplate.
 template <device_type Device>
-    requires(not implements<Device>(function_code::encapsulated_interface))
+    requires(not detail::implements<Device>(function_code::encapsulated_interface))
 class identify<Device> : public poller<typename Device::nameplate::template plan<Device>> {
     using poller<typename Device::nameplate::template plan<Device>>::poller;
 };

@@ -163,7 +163,8 @@ private:
 
     constexpr outcome_kind judge_timeout(std::uint16_t word, period_rule& period) noexcept
     {
-        constexpr std::uint16_t tenth = 100, most = longest_duration.microseconds / milliseconds(tenth).microseconds;
+        constexpr std::uint16_t tenth = 100,
+                                most = detail::longest_duration.microseconds / milliseconds(tenth).microseconds;
         timeout_ = word;
         period.timeout =
             is_watched_ ? duration{milliseconds(tenth).microseconds * (word < most ? word : most)} : duration{};

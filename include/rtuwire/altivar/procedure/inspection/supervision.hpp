@@ -148,7 +148,7 @@ private:
     {
         report_.finding = found;
         if (found == outcome_kind::not_drive_profile) {
-            note_meaning(other_meaning);
+            note_meaning(detail::other_meaning);
         }
         return end(found, error);
     }

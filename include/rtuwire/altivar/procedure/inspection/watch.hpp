@@ -92,7 +92,7 @@ public:
 
     constexpr void advance(instant now) noexcept
     {
-        instant const at = has_begun_ ? within_reach(now_, now) : now;
+        instant const at = has_begun_ ? detail::within_reach(now_, now) : now;
         now_ = now;
         if (not has_begun_) {
             has_begun_ = true;
@@ -133,7 +133,7 @@ public:
 
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        earliest next;
+        detail::earliest next;
         if (has_begun_ and not is_due_) {
             next.add(due_);
         }
@@ -181,7 +181,7 @@ private:
         }
         std::size_t const first = at_ == 0 ? 0 : at_ + blocks[0].count - 1;
         for (std::size_t i = 0; i < count; ++i) {
-            incoming_[first + i] = u16_at(pdu, words_from + 2 * i);
+            incoming_[first + i] = detail::u16_at(pdu, words_from + 2 * i);
         }
         return errc::none;
     }

@@ -112,9 +112,9 @@ private:
 /// | wait       | nothing      |                                      | round 3                              | yes    |
 /// | round 3    | a broadcast  | the next; after the last: each drive |                                      | yes    |
 /// | each drive | its own stop | as in its own stop                   |                                      | no     |
-template <std::size_t Drives> class broadcast_stop : public commander {
+template <std::size_t Drives> class broadcast_stop : public detail::commander {
 public:
-    static constexpr conversation_properties properties{.urgency = urgency::stop_of_all};
+    static constexpr conversation_properties properties{.urgency = detail::urgency::stop_of_all};
     static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register};
     static constexpr frame_sizes longest_frames = procedure_conversation::longest_frames;
 
@@ -134,7 +134,7 @@ public:
     constexpr void again() noexcept
     {
         asker const former{*this};
-        static_cast<commander&>(*this) = commander{};
+        static_cast<detail::commander&>(*this) = detail::commander{};
         this->replace(former);
         for (stop& each : stops_) {
             each.again();
@@ -148,7 +148,7 @@ public:
 
     constexpr void advance(instant now) noexcept
     {
-        instant const at = has_begun_ ? within_reach(now_, now) : now;
+        instant const at = has_begun_ ? detail::within_reach(now_, now) : now;
         now_ = now;
         is_first_visit_ = not has_begun_;
         if (not has_begun_) {
@@ -186,7 +186,7 @@ public:
 
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        earliest next;
+        detail::earliest next;
         if (has_begun_ and not rounds_.is_over()) {
             if (is_waiting()) {
                 next.add(last_at_);
@@ -237,10 +237,10 @@ public:
     }
 
     /// For the client: see ask/commander.hpp.
-    [[nodiscard]] constexpr effect intent() const noexcept
+    [[nodiscard]] constexpr detail::effect intent() const noexcept
     {
         if (not rounds_.is_over()) {
-            return has_begun_ and not is_waiting() ? effect::stopping : effect::none;
+            return has_begun_ and not is_waiting() ? detail::effect::stopping : detail::effect::none;
         }
         return stops_[candidate()].intent();
     }
@@ -250,7 +250,7 @@ public:
         if (not is_first_visit_) {
             return; // what counts was told; meanwhile it may be lost
         }
-        if (control_word != 0 and control_word != other_meaning) {
+        if (control_word != 0 and control_word != detail::other_meaning) {
             return rounds_.add(control_word);
         }
         for (stop const& each : stops_) { // it is of either family
@@ -310,7 +310,7 @@ private:
         bool has_found = false;
         for (std::size_t i = 1; i <= Drives; ++i) {
             std::size_t const at = (at_ + i) % Drives;
-            if (stops_[at].intent() == effect::stopping) {
+            if (stops_[at].intent() == detail::effect::stopping) {
                 return at;
             }
             if (not has_found and stops_[at].has_request() and not stops_[at].is_silenced()) {

@@ -347,7 +347,7 @@ private:
     constexpr action confirm_profile(std::uint16_t profile) noexcept
     {
         stage_ = stage::enabled;
-        note_meaning(is_drive_profile(profile) ? control_word() : other_meaning);
+        note_meaning(is_drive_profile(profile) ? control_word() : detail::other_meaning);
         return is_drive_profile(profile) ? read_status() : abort(outcome_kind::not_drive_profile);
     }
 

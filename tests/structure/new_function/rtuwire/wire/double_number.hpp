@@ -21,17 +21,17 @@ struct double_number_response {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(code));
+        out.u8(detail::to_u8(code));
         out.u16(doubled);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<double_number_response> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
-        return double_number_response{u16_at(pdu, 1)};
+        return double_number_response{detail::u16_at(pdu, 1)};
     }
 };
 
@@ -39,7 +39,8 @@ struct double_number_response {
 struct double_number {
     using response = double_number_response;
     static constexpr function_code code = response::code;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 6), sized(length_rule::fixed, 6), answer_rule::own};
+    static constexpr detail::frame_rules rules{detail::sized(detail::length_rule::fixed, 6),
+                                               detail::sized(detail::length_rule::fixed, 6), detail::answer_rule::own};
     static constexpr std::size_t max_size = 3;
 
     std::uint16_t number;
@@ -48,17 +49,17 @@ struct double_number {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(code));
+        out.u8(detail::to_u8(code));
         out.u16(number);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
     [[nodiscard]] static constexpr result<double_number> decode(byte_view pdu) noexcept
     {
-        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
             return wrong;
         }
-        return double_number{u16_at(pdu, 1)};
+        return double_number{detail::u16_at(pdu, 1)};
     }
 
     /// Whether the number is the double of the one that was sent.
@@ -69,7 +70,7 @@ struct double_number {
         if (not told) {
             return told.error();
         }
-        return told->doubled == twice(u16_at(request_pdu, 1)) ? errc::none : errc::response_mismatch;
+        return told->doubled == twice(detail::u16_at(request_pdu, 1)) ? errc::none : errc::response_mismatch;
     }
 
     /// Answers a request.
@@ -81,7 +82,7 @@ struct double_number {
         if (not asked) {
             return errc::illegal_data_value;
         }
-        put_u16(&pdu.bytes[1], twice(asked->number));
+        detail::put_u16(&pdu.bytes[1], twice(asked->number));
         return errc::none;
     }
 

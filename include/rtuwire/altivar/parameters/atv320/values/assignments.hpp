@@ -61,7 +61,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::logic_input> = name_list<altivar::atv320_values::logic_input>({
+inline constexpr auto enumerators<altivar::atv320_values::logic_input> = detail::name_list<altivar::atv320_values::logic_input>({
     {0, "nO"}, {1, "FLt"}, {4, "FtA"}, {13, "F2A"}, {96, "FR1"}, {97, "FR2"}, {98, "CD1"}, {99, "CD2"},
     {100, "FR1B"}, {128, "YES"}, {129, "LI1"}, {130, "LI2"}, {131, "LI3"}, {132, "LI4"}, {133, "LI5"},
     {134, "LI6"}, {143, "LAI1"}, {144, "LAI2"}, {160, "CD00"}, {161, "CD01"}, {162, "CD02"}, {163, "CD03"},
@@ -77,7 +77,7 @@ inline constexpr auto enumerators<altivar::atv320_values::logic_input> = name_li
     {246, "OL07"}, {247, "OL08"}, {248, "OL09"}, {249, "OL10"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::logic_input> = name_list<altivar::atv320_values::logic_input>({
+inline constexpr auto meanings<altivar::atv320_values::logic_input> = detail::name_list<altivar::atv320_values::logic_input>({
     {0, "not assigned"}, {1, "no fault present"}, {4, "frequency threshold reached"},
     {13, "frequency threshold 2 reached"}, {96, "reference channel 1 active"},
     {97, "reference channel 2 active"}, {98, "command channel 1 active"}, {99, "command channel 2 active"},
@@ -116,7 +116,7 @@ inline constexpr auto meanings<altivar::atv320_values::logic_input> = name_list<
     {248, "function block output OL09"}, {249, "function block output OL10"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::logic_source> = name_list<altivar::atv320_values::logic_source>({
+inline constexpr auto enumerators<altivar::atv320_values::logic_source> = detail::name_list<altivar::atv320_values::logic_source>({
     {0, "nO"}, {1, "FLt"}, {2, "rUn"}, {3, "OCC"}, {4, "FtA"}, {5, "FLA"}, {6, "CtA"}, {7, "SrA"}, {8, "tSA"},
     {9, "BLC"}, {10, "PEE"}, {11, "PFA"}, {13, "F2A"}, {14, "TAD"}, {21, "ULA"}, {22, "OLA"}, {27, "RSDA"},
     {28, "TTHA"}, {29, "TTLA"}, {30, "MFRD"}, {31, "MRRS"}, {37, "TS2"}, {38, "TS3"}, {47, "ATS"}, {48, "CnF0"},
@@ -139,7 +139,7 @@ inline constexpr auto enumerators<altivar::atv320_values::logic_source> = name_l
     {246, "OL07"}, {247, "OL08"}, {248, "OL09"}, {249, "OL10"}, {250, "GdL"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::logic_source> = name_list<altivar::atv320_values::logic_source>({
+inline constexpr auto meanings<altivar::atv320_values::logic_source> = detail::name_list<altivar::atv320_values::logic_source>({
     {0, "not assigned"}, {1, "no fault present"}, {2, "drive running"}, {3, "output contactor command"},
     {4, "frequency threshold reached"}, {5, "high speed reached"}, {6, "current threshold reached"},
     {7, "reference reached"}, {8, "motor thermal threshold reached"}, {9, "brake command"},

@@ -62,60 +62,60 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::ethercat_state> = name_list<altivar::atv320_values::ethercat_state>({
+inline constexpr auto enumerators<altivar::atv320_values::ethercat_state> = detail::name_list<altivar::atv320_values::ethercat_state>({
     {1, "InIt"}, {2, "PrOP"}, {3, "bOOt"}, {4, "SFOP"}, {8, "OP"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::ethercat_state> = name_list<altivar::atv320_values::ethercat_state>({
+inline constexpr auto meanings<altivar::atv320_values::ethercat_state> = detail::name_list<altivar::atv320_values::ethercat_state>({
     {1, "Init"}, {2, "Pre-Operational"}, {3, "Bootstrap"}, {4, "Safe-Operational"}, {8, "Operational"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::can_rate> = name_list<altivar::atv320_values::can_rate>({
+inline constexpr auto enumerators<altivar::atv320_values::can_rate> = detail::name_list<altivar::atv320_values::can_rate>({
     {38, "50"}, {52, "125"}, {60, "250"}, {68, "500"}, {76, "1M"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::can_rate> = name_list<altivar::atv320_values::can_rate>({
+inline constexpr auto meanings<altivar::atv320_values::can_rate> = detail::name_list<altivar::atv320_values::can_rate>({
     {38, "50 kbit/s"}, {52, "125 kbit/s"}, {60, "250 kbit/s"}, {68, "500 kbit/s"}, {76, "1 Mbit/s"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::profibus_profile> = name_list<altivar::atv320_values::profibus_profile>({
+inline constexpr auto enumerators<altivar::atv320_values::profibus_profile> = detail::name_list<altivar::atv320_values::profibus_profile>({
     {0, "UnCG"}, {1, "1"}, {2, "2"}, {7, "7"}, {9, "9"}, {100, "100"}, {101, "101"}, {102, "102"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::profibus_profile> = name_list<altivar::atv320_values::profibus_profile>({
+inline constexpr auto meanings<altivar::atv320_values::profibus_profile> = detail::name_list<altivar::atv320_values::profibus_profile>({
     {0, "not configured"}, {1, "profile 1"}, {2, "profile 2"}, {7, "profile 7"}, {9, "profile 9"},
     {100, "profile 100"}, {101, "profile 101"}, {102, "profile 102"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::profibus_master> = name_list<altivar::atv320_values::profibus_master>({
+inline constexpr auto enumerators<altivar::atv320_values::profibus_master> = detail::name_list<altivar::atv320_values::profibus_master>({
     {1, "1"}, {2, "2"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::profibus_master> = name_list<altivar::atv320_values::profibus_master>({
+inline constexpr auto meanings<altivar::atv320_values::profibus_master> = detail::name_list<altivar::atv320_values::profibus_master>({
     {1, "class 1"}, {2, "class 2"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::io_assembly> = name_list<altivar::atv320_values::io_assembly>({
+inline constexpr auto enumerators<altivar::atv320_values::io_assembly> = detail::name_list<altivar::atv320_values::io_assembly>({
     {0, "20"}, {1, "21"}, {2, "100"}, {3, "UnCG"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::io_assembly> = name_list<altivar::atv320_values::io_assembly>({
+inline constexpr auto meanings<altivar::atv320_values::io_assembly> = detail::name_list<altivar::atv320_values::io_assembly>({
     {0, "20/70"}, {1, "21/71"}, {2, "100/101"}, {3, "not configured"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::off_on> = name_list<altivar::atv320_values::off_on>({
+inline constexpr auto enumerators<altivar::atv320_values::off_on> = detail::name_list<altivar::atv320_values::off_on>({
     {0, "OFF"}, {1, "On"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::off_on> = name_list<altivar::atv320_values::off_on>({
+inline constexpr auto meanings<altivar::atv320_values::off_on> = detail::name_list<altivar::atv320_values::off_on>({
     {0, "off"}, {1, "on"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::encoder_card> = name_list<altivar::atv320_values::encoder_card>({
+inline constexpr auto enumerators<altivar::atv320_values::encoder_card> = detail::name_list<altivar::atv320_values::encoder_card>({
     {0, "nO"}, {1, "rS05"}, {2, "PP24"}, {3, "OC15"}, {4, "OC12"}, {5, "rS15"}, {6, "PP15"}, {7, "PP12"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::encoder_card> = name_list<altivar::atv320_values::encoder_card>({
+inline constexpr auto meanings<altivar::atv320_values::encoder_card> = detail::name_list<altivar::atv320_values::encoder_card>({
     {0, "none"}, {1, "RS-422, 5 V"}, {2, "push-pull, 24 V"}, {3, "open collector, 15 V"},
     {4, "open collector, 12 V"}, {5, "RS-422, 15 V"}, {6, "push-pull, 15 V"}, {7, "push-pull, 12 V"},
 });

@@ -135,70 +135,70 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::counter_reset> = name_list<altivar::atv320_values::counter_reset>({
+inline constexpr auto enumerators<altivar::atv320_values::counter_reset> = detail::name_list<altivar::atv320_values::counter_reset>({
     {0, "nO"}, {1, "APH"}, {2, "rtH"}, {3, "rtHI"}, {4, "PtH"}, {64, "ALL"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::counter_reset> = name_list<altivar::atv320_values::counter_reset>({
+inline constexpr auto meanings<altivar::atv320_values::counter_reset> = detail::name_list<altivar::atv320_values::counter_reset>({
     {0, "none"}, {1, "energy"}, {2, "motor running time"}, {3, "internal running time (rtHI)"},
     {4, "powered time"}, {64, "all"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::active_configuration> = name_list<altivar::atv320_values::active_configuration>({
+inline constexpr auto enumerators<altivar::atv320_values::active_configuration> = detail::name_list<altivar::atv320_values::active_configuration>({
     {0, "nO"}, {1, "CnF0"}, {2, "CnF1"}, {3, "CnF2"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::active_configuration> = name_list<altivar::atv320_values::active_configuration>({
+inline constexpr auto meanings<altivar::atv320_values::active_configuration> = detail::name_list<altivar::atv320_values::active_configuration>({
     {0, "none"}, {1, "configuration 0"}, {2, "configuration 1"}, {3, "configuration 2"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::quick_stop_end> = name_list<altivar::atv320_values::quick_stop_end>({
+inline constexpr auto enumerators<altivar::atv320_values::quick_stop_end> = detail::name_list<altivar::atv320_values::quick_stop_end>({
     {2, "FSt2"}, {6, "FSt6"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::quick_stop_end> = name_list<altivar::atv320_values::quick_stop_end>({
+inline constexpr auto meanings<altivar::atv320_values::quick_stop_end> = detail::name_list<altivar::atv320_values::quick_stop_end>({
     {2, "fast stop, then switch on disabled"}, {6, "fast stop, stays in quick stop"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::parameter_set> = name_list<altivar::atv320_values::parameter_set>({
+inline constexpr auto enumerators<altivar::atv320_values::parameter_set> = detail::name_list<altivar::atv320_values::parameter_set>({
     {0, "nO"}, {1, "CFP1"}, {2, "CFP2"}, {3, "CFP3"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::parameter_set> = name_list<altivar::atv320_values::parameter_set>({
+inline constexpr auto meanings<altivar::atv320_values::parameter_set> = detail::name_list<altivar::atv320_values::parameter_set>({
     {0, "none"}, {1, "set 1"}, {2, "set 2"}, {3, "set 3"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::fan_mode> = name_list<altivar::atv320_values::fan_mode>({
+inline constexpr auto enumerators<altivar::atv320_values::fan_mode> = detail::name_list<altivar::atv320_values::fan_mode>({
     {0, "Std"}, {1, "rUn"}, {2, "StP"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::fan_mode> = name_list<altivar::atv320_values::fan_mode>({
+inline constexpr auto meanings<altivar::atv320_values::fan_mode> = detail::name_list<altivar::atv320_values::fan_mode>({
     {0, "when needed"}, {1, "always"}, {2, "never"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::two_wire_type> = name_list<altivar::atv320_values::two_wire_type>({
+inline constexpr auto enumerators<altivar::atv320_values::two_wire_type> = detail::name_list<altivar::atv320_values::two_wire_type>({
     {0, "LEL"}, {1, "trn"}, {2, "PFO"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::two_wire_type> = name_list<altivar::atv320_values::two_wire_type>({
+inline constexpr auto meanings<altivar::atv320_values::two_wire_type> = detail::name_list<altivar::atv320_values::two_wire_type>({
     {0, "by level"}, {1, "by transition"}, {2, "by level, forward has priority"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::channel_copy> = name_list<altivar::atv320_values::channel_copy>({
+inline constexpr auto enumerators<altivar::atv320_values::channel_copy> = detail::name_list<altivar::atv320_values::channel_copy>({
     {0, "nO"}, {1, "SP"}, {2, "Cd"}, {3, "ALL"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::channel_copy> = name_list<altivar::atv320_values::channel_copy>({
+inline constexpr auto meanings<altivar::atv320_values::channel_copy> = detail::name_list<altivar::atv320_values::channel_copy>({
     {0, "none"}, {1, "reference"}, {2, "command"}, {3, "command and reference"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::active_channel_bit> = name_list<altivar::atv320_values::active_channel_bit>({
+inline constexpr auto meanings<altivar::atv320_values::active_channel_bit> = detail::name_list<altivar::atv320_values::active_channel_bit>({
     {0, "terminals"}, {1, "local keypad"}, {2, "remote terminal"}, {3, "Modbus"}, {6, "CANopen"},
     {7, "+/- speed by the terminals"}, {8, "+/- speed by the remote terminal"}, {9, "communication card"},
     {15, "SoMove"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::state_word_1_bit> = name_list<altivar::atv320_values::state_word_1_bit>({
+inline constexpr auto meanings<altivar::atv320_values::state_word_1_bit> = detail::name_list<altivar::atv320_values::state_word_1_bit>({
     {1, "in fault"}, {2, "unlocked: the motor can be powered"}, {3, "output contactor commanded"},
     {4, "frequency threshold FTD reached"}, {5, "high speed reached"}, {6, "current threshold CTD reached"},
     {7, "reference reached"}, {8, "motor thermal threshold TTD reached"}, {9, "brake commanded"},
@@ -206,20 +206,20 @@ inline constexpr auto meanings<altivar::atv320_values::state_word_1_bit> = name_
     {14, "drive thermal threshold THA reached"}, {15, "traverse control active"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::state_word_2_bit> = name_list<altivar::atv320_values::state_word_2_bit>({
+inline constexpr auto meanings<altivar::atv320_values::state_word_2_bit> = detail::name_list<altivar::atv320_values::state_word_2_bit>({
     {5, "underload alarm"}, {6, "overload alarm"}, {11, "slack rope"},
     {12, "torque high threshold TTH reached"}, {13, "torque low threshold TTL reached"},
     {14, "turning forward"}, {15, "turning in reverse"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::state_word_3_bit> = name_list<altivar::atv320_values::state_word_3_bit>({
+inline constexpr auto meanings<altivar::atv320_values::state_word_3_bit> = detail::name_list<altivar::atv320_values::state_word_3_bit>({
     {0, "reference channel 2 active, else 1"}, {1, "command channel 2 active, else 1"},
     {2, "second ramps (AC2, DE2) in use"}, {3, "second current limit CL2 in use"},
     {5, "motor 2 thermal threshold reached"}, {6, "motor 3 thermal threshold reached"},
     {8, "external 24 V present"}, {9, "stopped after TLS at low speed"}, {15, "torque negative"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::state_word_4_bit> = name_list<altivar::atv320_values::state_word_4_bit>({
+inline constexpr auto meanings<altivar::atv320_values::state_word_4_bit> = detail::name_list<altivar::atv320_values::state_word_4_bit>({
     {0, "configuration 0 active"}, {1, "configuration 1 active"}, {2, "configuration 2 active"},
     {4, "parameter set 1 active"}, {5, "parameter set 2 active"}, {6, "parameter set 3 active"},
     {8, "power section not supplied"}, {9, "fluxing the motor"}, {10, "motor fluxed"},
@@ -227,7 +227,7 @@ inline constexpr auto meanings<altivar::atv320_values::state_word_4_bit> = name_
     {14, "decelerating (ETI bit 10)"}, {15, "fast stop (ETI bit 12)"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::state_word_5_bit> = name_list<altivar::atv320_values::state_word_5_bit>({
+inline constexpr auto meanings<altivar::atv320_values::state_word_5_bit> = detail::name_list<altivar::atv320_values::state_word_5_bit>({
     {0, "DC bus charging"}, {1, "braking"}, {2, "power removed"}, {3, "automatic restart under way"},
     {4, "autotune under way"}, {5, "controlled stop after mains loss"}, {6, "deceleration ramp adapted"},
     {7, "output cut off"}, {8, "pulse warning level FQL reached"}, {9, "line contactor active"},
@@ -235,20 +235,20 @@ inline constexpr auto meanings<altivar::atv320_values::state_word_5_bit> = name_
     {15, "load variation alarm"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::state_word_6_bit> = name_list<altivar::atv320_values::state_word_6_bit>({
+inline constexpr auto meanings<altivar::atv320_values::state_word_6_bit> = detail::name_list<altivar::atv320_values::state_word_6_bit>({
     {0, "alarm group 1 active"}, {1, "alarm group 2 active"}, {2, "alarm group 3 active"},
     {5, "LI6 probe alarm"}, {7, "external fault alarm"}, {8, "undervoltage alarm"},
     {9, "controlled stop voltage reached"}, {11, "drive thermal alarm"},
     {15, "torque or current limit, time is up"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::state_word_7_bit> = name_list<altivar::atv320_values::state_word_7_bit>({
+inline constexpr auto meanings<altivar::atv320_values::state_word_7_bit> = detail::name_list<altivar::atv320_values::state_word_7_bit>({
     {0, "reference channel 1 or 1B active"}, {1, "reference channel 2 active"}, {2, "command channel 1 active"},
     {3, "command channel 2 active"}, {4, "reference channel 1B active"}, {5, "end of reel"},
     {6, "wobble synchronisation"}, {8, "transistor temperature alarm"}, {11, "AI3 signal lost"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::state_word_8_bit> = name_list<altivar::atv320_values::state_word_8_bit>({
+inline constexpr auto meanings<altivar::atv320_values::state_word_8_bit> = detail::name_list<altivar::atv320_values::state_word_8_bit>({
     {9, "forced local control"}, {15, "drive ready"},
 });
 // clang-format on

@@ -122,159 +122,159 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::restart_time> = name_list<altivar::atv320_values::restart_time>({
+inline constexpr auto enumerators<altivar::atv320_values::restart_time> = detail::name_list<altivar::atv320_values::restart_time>({
     {0, "5"}, {1, "10"}, {2, "30"}, {3, "1H"}, {4, "2H"}, {5, "3H"}, {6, "Ct"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::restart_time> = name_list<altivar::atv320_values::restart_time>({
+inline constexpr auto meanings<altivar::atv320_values::restart_time> = detail::name_list<altivar::atv320_values::restart_time>({
     {0, "5 min"}, {1, "10 min"}, {2, "30 min"}, {3, "1 h"}, {4, "2 h"}, {5, "3 h"}, {6, "unlimited"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::motor_cooling> = name_list<altivar::atv320_values::motor_cooling>({
+inline constexpr auto enumerators<altivar::atv320_values::motor_cooling> = detail::name_list<altivar::atv320_values::motor_cooling>({
     {0, "nO"}, {1, "ACL"}, {2, "FCL"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::motor_cooling> = name_list<altivar::atv320_values::motor_cooling>({
+inline constexpr auto meanings<altivar::atv320_values::motor_cooling> = detail::name_list<altivar::atv320_values::motor_cooling>({
     {0, "no protection"}, {1, "self-cooled motor"}, {2, "force-cooled motor"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::output_phase_loss> = name_list<altivar::atv320_values::output_phase_loss>({
+inline constexpr auto enumerators<altivar::atv320_values::output_phase_loss> = detail::name_list<altivar::atv320_values::output_phase_loss>({
     {0, "nO"}, {1, "YES"}, {2, "OAC"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::output_phase_loss> = name_list<altivar::atv320_values::output_phase_loss>({
+inline constexpr auto meanings<altivar::atv320_values::output_phase_loss> = detail::name_list<altivar::atv320_values::output_phase_loss>({
     {0, "not detected"}, {1, "fault OPF"}, {2, "no fault, output may be cut"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::undervoltage_reaction> = name_list<altivar::atv320_values::undervoltage_reaction>({
+inline constexpr auto enumerators<altivar::atv320_values::undervoltage_reaction> = detail::name_list<altivar::atv320_values::undervoltage_reaction>({
     {0, "0"}, {1, "1"}, {2, "2"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::undervoltage_reaction> = name_list<altivar::atv320_values::undervoltage_reaction>({
+inline constexpr auto meanings<altivar::atv320_values::undervoltage_reaction> = detail::name_list<altivar::atv320_values::undervoltage_reaction>({
     {0, "fault, relay opens"}, {1, "fault, relay stays"}, {2, "alarm only"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::mains_rating> = name_list<altivar::atv320_values::mains_rating>({
+inline constexpr auto enumerators<altivar::atv320_values::mains_rating> = detail::name_list<altivar::atv320_values::mains_rating>({
     {20, "200"}, {22, "220"}, {23, "230"}, {24, "240"}, {38, "380"}, {40, "400"}, {44, "440"}, {46, "460"},
     {50, "500"}, {53, "525"}, {60, "600"}, {254, "LHM"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::mains_rating> = name_list<altivar::atv320_values::mains_rating>({
+inline constexpr auto meanings<altivar::atv320_values::mains_rating> = detail::name_list<altivar::atv320_values::mains_rating>({
     {20, "200 V"}, {22, "220 V"}, {23, "230 V"}, {24, "240 V"}, {38, "380 V"}, {40, "400 V"}, {44, "440 V"},
     {46, "460 V"}, {50, "500 V"}, {53, "525 V"}, {60, "600 V"}, {254, "Lexium level"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::power_loss_stop> = name_list<altivar::atv320_values::power_loss_stop>({
+inline constexpr auto enumerators<altivar::atv320_values::power_loss_stop> = detail::name_list<altivar::atv320_values::power_loss_stop>({
     {0, "nO"}, {1, "MMS"}, {2, "rMP"}, {4, "LnF"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::power_loss_stop> = name_list<altivar::atv320_values::power_loss_stop>({
+inline constexpr auto meanings<altivar::atv320_values::power_loss_stop> = detail::name_list<altivar::atv320_values::power_loss_stop>({
     {0, "freewheel, then a fault"}, {1, "DC bus kept up"}, {2, "ramp stop"}, {4, "freewheel, no fault"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::sto_state> = name_list<altivar::atv320_values::sto_state>({
+inline constexpr auto enumerators<altivar::atv320_values::sto_state> = detail::name_list<altivar::atv320_values::sto_state>({
     {0, "IdLE"}, {1, "StO"}, {2, "FLt"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::sto_state> = name_list<altivar::atv320_values::sto_state>({
+inline constexpr auto meanings<altivar::atv320_values::sto_state> = detail::name_list<altivar::atv320_values::sto_state>({
     {0, "inactive"}, {1, "active"}, {2, "in fault"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::slip_direction> = name_list<altivar::atv320_values::slip_direction>({
+inline constexpr auto enumerators<altivar::atv320_values::slip_direction> = detail::name_list<altivar::atv320_values::slip_direction>({
     {0, "OVEr"}, {1, "bOtH"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::slip_direction> = name_list<altivar::atv320_values::slip_direction>({
+inline constexpr auto meanings<altivar::atv320_values::slip_direction> = detail::name_list<altivar::atv320_values::slip_direction>({
     {0, "too fast"}, {1, "too fast or too slow"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::dc_bus_partner> = name_list<altivar::atv320_values::dc_bus_partner>({
+inline constexpr auto enumerators<altivar::atv320_values::dc_bus_partner> = detail::name_list<altivar::atv320_values::dc_bus_partner>({
     {0, "AtV"}, {1, "LHM"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::dc_bus_partner> = name_list<altivar::atv320_values::dc_bus_partner>({
+inline constexpr auto meanings<altivar::atv320_values::dc_bus_partner> = detail::name_list<altivar::atv320_values::dc_bus_partner>({
     {0, "Altivar"}, {1, "Lexium"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::dc_bus_supply> = name_list<altivar::atv320_values::dc_bus_supply>({
+inline constexpr auto enumerators<altivar::atv320_values::dc_bus_supply> = detail::name_list<altivar::atv320_values::dc_bus_supply>({
     {0, "nO"}, {1, "MAIn"}, {2, "bUS"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::dc_bus_supply> = name_list<altivar::atv320_values::dc_bus_supply>({
+inline constexpr auto meanings<altivar::atv320_values::dc_bus_supply> = detail::name_list<altivar::atv320_values::dc_bus_supply>({
     {0, "not shared"}, {1, "by the bus and the mains"}, {2, "by the bus only"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::gdl_state> = name_list<altivar::atv320_values::gdl_state>({
+inline constexpr auto enumerators<altivar::atv320_values::gdl_state> = detail::name_list<altivar::atv320_values::gdl_state>({
     {0, "nO"}, {1, "OFF"}, {2, "Std"}, {3, "LGd"}, {4, "On"}, {5, "FLt"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::gdl_state> = name_list<altivar::atv320_values::gdl_state>({
+inline constexpr auto meanings<altivar::atv320_values::gdl_state> = detail::name_list<altivar::atv320_values::gdl_state>({
     {0, "not configured"}, {1, "inactive"}, {2, "short delay runs"}, {3, "long delay runs"}, {4, "active"},
     {5, "in fault"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::ptc_mode> = name_list<altivar::atv320_values::ptc_mode>({
+inline constexpr auto enumerators<altivar::atv320_values::ptc_mode> = detail::name_list<altivar::atv320_values::ptc_mode>({
     {0, "nO"}, {1, "AS"}, {2, "rdS"}, {3, "rS"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::ptc_mode> = name_list<altivar::atv320_values::ptc_mode>({
+inline constexpr auto meanings<altivar::atv320_values::ptc_mode> = detail::name_list<altivar::atv320_values::ptc_mode>({
     {0, "not supervised"}, {1, "always"}, {2, "with the power section on"}, {3, "with the motor on"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::safety_input> = name_list<altivar::atv320_values::safety_input>({
+inline constexpr auto enumerators<altivar::atv320_values::safety_input> = detail::name_list<altivar::atv320_values::safety_input>({
     {0, "nO"}, {1, "L34"}, {2, "L56"}, {3, "L3PW"}, {4, "PWrM"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::safety_input> = name_list<altivar::atv320_values::safety_input>({
+inline constexpr auto meanings<altivar::atv320_values::safety_input> = detail::name_list<altivar::atv320_values::safety_input>({
     {0, "not assigned"}, {1, "LI3 and LI4"}, {2, "LI5 and LI6"}, {3, "LI3 and PWRM"}, {4, "PWRM"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::safety_state> = name_list<altivar::atv320_values::safety_state>({
+inline constexpr auto enumerators<altivar::atv320_values::safety_state> = detail::name_list<altivar::atv320_values::safety_state>({
     {0, "Std"}, {1, "SAFE"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::safety_state> = name_list<altivar::atv320_values::safety_state>({
+inline constexpr auto meanings<altivar::atv320_values::safety_state> = detail::name_list<altivar::atv320_values::safety_state>({
     {0, "standard drive"}, {1, "safety functions configured"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::sls_state> = name_list<altivar::atv320_values::sls_state>({
+inline constexpr auto enumerators<altivar::atv320_values::sls_state> = detail::name_list<altivar::atv320_values::sls_state>({
     {0, "nO"}, {1, "IdLE"}, {2, "SS1"}, {3, "SLS"}, {4, "StO"}, {5, "FLt"}, {6, "WAIt"}, {7, "Strt"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::sls_state> = name_list<altivar::atv320_values::sls_state>({
+inline constexpr auto meanings<altivar::atv320_values::sls_state> = detail::name_list<altivar::atv320_values::sls_state>({
     {0, "not configured"}, {1, "inactive"}, {2, "safe ramp"}, {3, "speed limited"}, {4, "safe torque off"},
     {5, "in fault"}, {6, "waiting (WAIt)"}, {7, "starting (Strt)"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::sls_type> = name_list<altivar::atv320_values::sls_type>({
+inline constexpr auto enumerators<altivar::atv320_values::sls_type> = detail::name_list<altivar::atv320_values::sls_type>({
     {0, "tYP1"}, {1, "tYP2"}, {2, "tYP3"}, {3, "tYP4"}, {4, "tYP5"}, {5, "tYP6"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::sls_type> = name_list<altivar::atv320_values::sls_type>({
+inline constexpr auto meanings<altivar::atv320_values::sls_type> = detail::name_list<altivar::atv320_values::sls_type>({
     {0, "type 1"}, {1, "type 2"}, {2, "type 3"}, {3, "type 4"}, {4, "type 5"}, {5, "type 6"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::sms_state> = name_list<altivar::atv320_values::sms_state>({
+inline constexpr auto enumerators<altivar::atv320_values::sms_state> = detail::name_list<altivar::atv320_values::sms_state>({
     {0, "nO"}, {1, "SMS"}, {2, "FtI"}, {3, "FtO"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::sms_state> = name_list<altivar::atv320_values::sms_state>({
+inline constexpr auto meanings<altivar::atv320_values::sms_state> = detail::name_list<altivar::atv320_values::sms_state>({
     {0, "not configured"}, {1, "active"}, {2, "internal fault (FtI)"}, {3, "overspeed fault (FtO)"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::ss1_state> = name_list<altivar::atv320_values::ss1_state>({
+inline constexpr auto enumerators<altivar::atv320_values::ss1_state> = detail::name_list<altivar::atv320_values::ss1_state>({
     {0, "nO"}, {1, "IdLE"}, {2, "SS1"}, {3, "StO"}, {4, "FLt"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::ss1_state> = name_list<altivar::atv320_values::ss1_state>({
+inline constexpr auto meanings<altivar::atv320_values::ss1_state> = detail::name_list<altivar::atv320_values::ss1_state>({
     {0, "not configured"}, {1, "inactive"}, {2, "safe ramp"}, {3, "safe torque off"}, {4, "in fault"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::ss1_step> = name_list<altivar::atv320_values::ss1_step>({
+inline constexpr auto enumerators<altivar::atv320_values::ss1_step> = detail::name_list<altivar::atv320_values::ss1_step>({
     {0, "1H"}, {1, "10H"}, {2, "100H"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::ss1_step> = name_list<altivar::atv320_values::ss1_step>({
+inline constexpr auto meanings<altivar::atv320_values::ss1_step> = detail::name_list<altivar::atv320_values::ss1_step>({
     {0, "1 Hz/s"}, {1, "10 Hz/s"}, {2, "100 Hz/s"},
 });
 // clang-format on

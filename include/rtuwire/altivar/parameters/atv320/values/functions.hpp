@@ -90,107 +90,107 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::ramp_shape> = name_list<altivar::atv320_values::ramp_shape>({
+inline constexpr auto enumerators<altivar::atv320_values::ramp_shape> = detail::name_list<altivar::atv320_values::ramp_shape>({
     {0, "LIn"}, {1, "S"}, {2, "U"}, {3, "CUS"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::ramp_shape> = name_list<altivar::atv320_values::ramp_shape>({
+inline constexpr auto meanings<altivar::atv320_values::ramp_shape> = detail::name_list<altivar::atv320_values::ramp_shape>({
     {0, "linear"}, {1, "S"}, {2, "U"}, {3, "as TA1 to TA4 say"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::ramp_adaptation> = name_list<altivar::atv320_values::ramp_adaptation>({
+inline constexpr auto enumerators<altivar::atv320_values::ramp_adaptation> = detail::name_list<altivar::atv320_values::ramp_adaptation>({
     {0, "nO"}, {1, "YES"}, {2, "dYnA"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::ramp_adaptation> = name_list<altivar::atv320_values::ramp_adaptation>({
+inline constexpr auto meanings<altivar::atv320_values::ramp_adaptation> = detail::name_list<altivar::atv320_values::ramp_adaptation>({
     {0, "off"}, {1, "on"}, {2, "on, with more braking in the motor"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::auto_injection> = name_list<altivar::atv320_values::auto_injection>({
+inline constexpr auto enumerators<altivar::atv320_values::auto_injection> = detail::name_list<altivar::atv320_values::auto_injection>({
     {0, "nO"}, {1, "YES"}, {2, "Ct"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::auto_injection> = name_list<altivar::atv320_values::auto_injection>({
+inline constexpr auto meanings<altivar::atv320_values::auto_injection> = detail::name_list<altivar::atv320_values::auto_injection>({
     {0, "off"}, {1, "for a time"}, {2, "continuous"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::speed_memory> = name_list<altivar::atv320_values::speed_memory>({
+inline constexpr auto enumerators<altivar::atv320_values::speed_memory> = detail::name_list<altivar::atv320_values::speed_memory>({
     {0, "nO"}, {1, "rAM"}, {2, "EEP"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::speed_memory> = name_list<altivar::atv320_values::speed_memory>({
+inline constexpr auto meanings<altivar::atv320_values::speed_memory> = detail::name_list<altivar::atv320_values::speed_memory>({
     {0, "not stored"}, {1, "in RAM"}, {2, "in EEPROM"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::brake_movement> = name_list<altivar::atv320_values::brake_movement>({
+inline constexpr auto enumerators<altivar::atv320_values::brake_movement> = detail::name_list<altivar::atv320_values::brake_movement>({
     {0, "HOr"}, {1, "VEr"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::brake_movement> = name_list<altivar::atv320_values::brake_movement>({
+inline constexpr auto meanings<altivar::atv320_values::brake_movement> = detail::name_list<altivar::atv320_values::brake_movement>({
     {0, "horizontal"}, {1, "vertical"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::brake_impulse> = name_list<altivar::atv320_values::brake_impulse>({
+inline constexpr auto enumerators<altivar::atv320_values::brake_impulse> = detail::name_list<altivar::atv320_values::brake_impulse>({
     {0, "nO"}, {1, "YES"}, {2, "2Ibr"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::brake_impulse> = name_list<altivar::atv320_values::brake_impulse>({
+inline constexpr auto meanings<altivar::atv320_values::brake_impulse> = detail::name_list<altivar::atv320_values::brake_impulse>({
     {0, "in the requested direction"}, {1, "always forward"}, {2, "in the direction of each current"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::brake_output> = name_list<altivar::atv320_values::brake_output>({
+inline constexpr auto enumerators<altivar::atv320_values::brake_output> = detail::name_list<altivar::atv320_values::brake_output>({
     {0, "nO"}, {2, "r2"}, {17, "LO1"}, {64, "dO1"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::brake_output> = name_list<altivar::atv320_values::brake_output>({
+inline constexpr auto meanings<altivar::atv320_values::brake_output> = detail::name_list<altivar::atv320_values::brake_output>({
     {0, "not assigned"}, {2, "R2"}, {17, "LO1"}, {64, "logic output on AO1"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::fast_hoisting> = name_list<altivar::atv320_values::fast_hoisting>({
+inline constexpr auto enumerators<altivar::atv320_values::fast_hoisting> = detail::name_list<altivar::atv320_values::fast_hoisting>({
     {0, "nO"}, {1, "SSO"}, {2, "CSO"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::fast_hoisting> = name_list<altivar::atv320_values::fast_hoisting>({
+inline constexpr auto meanings<altivar::atv320_values::fast_hoisting> = detail::name_list<altivar::atv320_values::fast_hoisting>({
     {0, "off"}, {1, "limited by reference"}, {2, "limited by current"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::slack_rope> = name_list<altivar::atv320_values::slack_rope>({
+inline constexpr auto enumerators<altivar::atv320_values::slack_rope> = detail::name_list<altivar::atv320_values::slack_rope>({
     {0, "nO"}, {1, "drI"}, {2, "PES"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::slack_rope> = name_list<altivar::atv320_values::slack_rope>({
+inline constexpr auto meanings<altivar::atv320_values::slack_rope> = detail::name_list<altivar::atv320_values::slack_rope>({
     {0, "off"}, {1, "estimated by the drive"}, {2, "by the weight sensor"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::torque_step> = name_list<altivar::atv320_values::torque_step>({
+inline constexpr auto enumerators<altivar::atv320_values::torque_step> = detail::name_list<altivar::atv320_values::torque_step>({
     {0, "001"}, {1, "01"}, {2, "1"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::torque_step> = name_list<altivar::atv320_values::torque_step>({
+inline constexpr auto meanings<altivar::atv320_values::torque_step> = detail::name_list<altivar::atv320_values::torque_step>({
     {0, "0.01 %"}, {1, "0.1 %"}, {2, "1 %"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::contactor_output> = name_list<altivar::atv320_values::contactor_output>({
+inline constexpr auto enumerators<altivar::atv320_values::contactor_output> = detail::name_list<altivar::atv320_values::contactor_output>({
     {0, "nO"}, {146, "r2"}, {129, "LO1"}, {161, "dO1"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::contactor_output> = name_list<altivar::atv320_values::contactor_output>({
+inline constexpr auto meanings<altivar::atv320_values::contactor_output> = detail::name_list<altivar::atv320_values::contactor_output>({
     {0, "not assigned"}, {146, "R2"}, {129, "LO1"}, {161, "logic output on AO1"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::slowdown_type> = name_list<altivar::atv320_values::slowdown_type>({
+inline constexpr auto enumerators<altivar::atv320_values::slowdown_type> = detail::name_list<altivar::atv320_values::slowdown_type>({
     {0, "Std"}, {1, "OPt"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::slowdown_type> = name_list<altivar::atv320_values::slowdown_type>({
+inline constexpr auto meanings<altivar::atv320_values::slowdown_type> = detail::name_list<altivar::atv320_values::slowdown_type>({
     {0, "by the ramp in use"}, {1, "by the speed at the switch"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::input_level> = name_list<altivar::atv320_values::input_level>({
+inline constexpr auto enumerators<altivar::atv320_values::input_level> = detail::name_list<altivar::atv320_values::input_level>({
     {0, "LO"}, {1, "HIG"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::input_level> = name_list<altivar::atv320_values::input_level>({
+inline constexpr auto meanings<altivar::atv320_values::input_level> = detail::name_list<altivar::atv320_values::input_level>({
     {0, "active low"}, {1, "active high"},
 });
 // clang-format on

@@ -57,47 +57,47 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::analog_type> = name_list<altivar::atv320_values::analog_type>({
+inline constexpr auto enumerators<altivar::atv320_values::analog_type> = detail::name_list<altivar::atv320_values::analog_type>({
     {1, "10U"}, {2, "0A"}, {5, "n10U"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::analog_type> = name_list<altivar::atv320_values::analog_type>({
+inline constexpr auto meanings<altivar::atv320_values::analog_type> = detail::name_list<altivar::atv320_values::analog_type>({
     {1, "0 to 10 V"}, {2, "current"}, {5, "-10 to 10 V"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::output_level> = name_list<altivar::atv320_values::output_level>({
+inline constexpr auto enumerators<altivar::atv320_values::output_level> = detail::name_list<altivar::atv320_values::output_level>({
     {0, "POS"}, {1, "nEG"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::output_level> = name_list<altivar::atv320_values::output_level>({
+inline constexpr auto meanings<altivar::atv320_values::output_level> = detail::name_list<altivar::atv320_values::output_level>({
     {0, "1 when active"}, {1, "0 when active"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::encoder_signals> = name_list<altivar::atv320_values::encoder_signals>({
+inline constexpr auto enumerators<altivar::atv320_values::encoder_signals> = detail::name_list<altivar::atv320_values::encoder_signals>({
     {1, "AAbb"}, {2, "Ab"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::encoder_signals> = name_list<altivar::atv320_values::encoder_signals>({
+inline constexpr auto meanings<altivar::atv320_values::encoder_signals> = detail::name_list<altivar::atv320_values::encoder_signals>({
     {1, "A, /A, B, /B"}, {2, "A, B"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::encoder_use> = name_list<altivar::atv320_values::encoder_use>({
+inline constexpr auto enumerators<altivar::atv320_values::encoder_use> = detail::name_list<altivar::atv320_values::encoder_use>({
     {0, "nO"}, {1, "SEC"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::encoder_use> = name_list<altivar::atv320_values::encoder_use>({
+inline constexpr auto meanings<altivar::atv320_values::encoder_use> = detail::name_list<altivar::atv320_values::encoder_use>({
     {0, "not used"}, {1, "speed supervision"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::input_polarity> = name_list<altivar::atv320_values::input_polarity>({
+inline constexpr auto enumerators<altivar::atv320_values::input_polarity> = detail::name_list<altivar::atv320_values::input_polarity>({
     {0, "POS"}, {1, "POSnEG"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::input_polarity> = name_list<altivar::atv320_values::input_polarity>({
+inline constexpr auto meanings<altivar::atv320_values::input_polarity> = detail::name_list<altivar::atv320_values::input_polarity>({
     {0, "positive only"}, {1, "positive and negative"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::output_image_bit> = name_list<altivar::atv320_values::output_image_bit>({
+inline constexpr auto meanings<altivar::atv320_values::output_image_bit> = detail::name_list<altivar::atv320_values::output_image_bit>({
     {0, "R1"}, {1, "R2"}, {8, "LO1"},
 });
 // clang-format on

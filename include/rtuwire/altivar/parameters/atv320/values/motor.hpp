@@ -100,125 +100,125 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::motor_model> = name_list<altivar::atv320_values::motor_model>({
+inline constexpr auto enumerators<altivar::atv320_values::motor_model> = detail::name_list<altivar::atv320_values::motor_model>({
     {0, "tAb"}, {1, "MEAS"}, {2, "CUS"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::motor_model> = name_list<altivar::atv320_values::motor_model>({
+inline constexpr auto meanings<altivar::atv320_values::motor_model> = detail::name_list<altivar::atv320_values::motor_model>({
     {0, "table values"}, {1, "measured values"}, {2, "user values"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::saliency> = name_list<altivar::atv320_values::saliency>({
+inline constexpr auto enumerators<altivar::atv320_values::saliency> = detail::name_list<altivar::atv320_values::saliency>({
     {0, "nO"}, {1, "LLS"}, {2, "MLS"}, {3, "HLS"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::saliency> = name_list<altivar::atv320_values::saliency>({
+inline constexpr auto meanings<altivar::atv320_values::saliency> = detail::name_list<altivar::atv320_values::saliency>({
     {0, "unknown"}, {1, "low"}, {2, "medium"}, {3, "high"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::motor_standard> = name_list<altivar::atv320_values::motor_standard>({
+inline constexpr auto enumerators<altivar::atv320_values::motor_standard> = detail::name_list<altivar::atv320_values::motor_standard>({
     {0, "50"}, {1, "60"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::motor_standard> = name_list<altivar::atv320_values::motor_standard>({
+inline constexpr auto meanings<altivar::atv320_values::motor_standard> = detail::name_list<altivar::atv320_values::motor_standard>({
     {0, "50 Hz"}, {1, "60 Hz"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::tuning_order> = name_list<altivar::atv320_values::tuning_order>({
+inline constexpr auto enumerators<altivar::atv320_values::tuning_order> = detail::name_list<altivar::atv320_values::tuning_order>({
     {0, "nO"}, {1, "YES"}, {2, "CLr"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::tuning_order> = name_list<altivar::atv320_values::tuning_order>({
+inline constexpr auto meanings<altivar::atv320_values::tuning_order> = detail::name_list<altivar::atv320_values::tuning_order>({
     {0, "none"}, {1, "tune now"}, {2, "erase the results"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::automatic_tuning> = name_list<altivar::atv320_values::automatic_tuning>({
+inline constexpr auto enumerators<altivar::atv320_values::automatic_tuning> = detail::name_list<altivar::atv320_values::automatic_tuning>({
     {0, "nO"}, {1, "YES"}, {2, "OnE"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::automatic_tuning> = name_list<altivar::atv320_values::automatic_tuning>({
+inline constexpr auto meanings<altivar::atv320_values::automatic_tuning> = detail::name_list<altivar::atv320_values::automatic_tuning>({
     {0, "no"}, {1, "at each power-on"}, {2, "at the first run order"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::tuning_state> = name_list<altivar::atv320_values::tuning_state>({
+inline constexpr auto enumerators<altivar::atv320_values::tuning_state> = detail::name_list<altivar::atv320_values::tuning_state>({
     {0, "tAb"}, {1, "PEnd"}, {2, "PrOG"}, {3, "FAIL"}, {4, "dOnE"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::tuning_state> = name_list<altivar::atv320_values::tuning_state>({
+inline constexpr auto meanings<altivar::atv320_values::tuning_state> = detail::name_list<altivar::atv320_values::tuning_state>({
     {0, "not tuned, table values"}, {1, "pending"}, {2, "running"}, {3, "failed"}, {4, "done, measured values"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::motor_control_law> = name_list<altivar::atv320_values::motor_control_law>({
+inline constexpr auto enumerators<altivar::atv320_values::motor_control_law> = detail::name_list<altivar::atv320_values::motor_control_law>({
     {0, "UUC"}, {3, "Std"}, {4, "UF5"}, {5, "SYn"}, {6, "UFq"}, {7, "nLd"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::motor_control_law> = name_list<altivar::atv320_values::motor_control_law>({
+inline constexpr auto meanings<altivar::atv320_values::motor_control_law> = detail::name_list<altivar::atv320_values::motor_control_law>({
     {0, "sensorless vector"}, {3, "V/f"}, {4, "V/f by five points"}, {5, "synchronous motor"},
     {6, "quadratic V/f"}, {7, "energy saving"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::switching_mode> = name_list<altivar::atv320_values::switching_mode>({
+inline constexpr auto enumerators<altivar::atv320_values::switching_mode> = detail::name_list<altivar::atv320_values::switching_mode>({
     {1, "HF1"}, {2, "HF2"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::switching_mode> = name_list<altivar::atv320_values::switching_mode>({
+inline constexpr auto meanings<altivar::atv320_values::switching_mode> = detail::name_list<altivar::atv320_values::switching_mode>({
     {1, "HF1: frequency may be reduced"}, {2, "HF2: frequency is kept"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::boost_mode> = name_list<altivar::atv320_values::boost_mode>({
+inline constexpr auto enumerators<altivar::atv320_values::boost_mode> = detail::name_list<altivar::atv320_values::boost_mode>({
     {0, "nO"}, {1, "dYnA"}, {2, "StAt"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::boost_mode> = name_list<altivar::atv320_values::boost_mode>({
+inline constexpr auto meanings<altivar::atv320_values::boost_mode> = detail::name_list<altivar::atv320_values::boost_mode>({
     {0, "off"}, {1, "dynamic"}, {2, "static"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::surge_time> = name_list<altivar::atv320_values::surge_time>({
+inline constexpr auto enumerators<altivar::atv320_values::surge_time> = detail::name_list<altivar::atv320_values::surge_time>({
     {6, "6"}, {8, "8"}, {10, "10"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::surge_time> = name_list<altivar::atv320_values::surge_time>({
+inline constexpr auto meanings<altivar::atv320_values::surge_time> = detail::name_list<altivar::atv320_values::surge_time>({
     {6, "6 us"}, {8, "8 us"}, {10, "10 us"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::reference_shape> = name_list<altivar::atv320_values::reference_shape>({
+inline constexpr auto enumerators<altivar::atv320_values::reference_shape> = detail::name_list<altivar::atv320_values::reference_shape>({
     {0, "bSd"}, {1, "bLS"}, {2, "bnS"}, {4, "bnS0"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::reference_shape> = name_list<altivar::atv320_values::reference_shape>({
+inline constexpr auto meanings<altivar::atv320_values::reference_shape> = detail::name_list<altivar::atv320_values::reference_shape>({
     {0, "from LSP to HSP"}, {1, "limited below at LSP"}, {2, "deadband up to LSP"}, {4, "deadband at zero"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::fluxing> = name_list<altivar::atv320_values::fluxing>({
+inline constexpr auto enumerators<altivar::atv320_values::fluxing> = detail::name_list<altivar::atv320_values::fluxing>({
     {0, "FnC"}, {1, "FCt"}, {2, "FnO"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::fluxing> = name_list<altivar::atv320_values::fluxing>({
+inline constexpr auto meanings<altivar::atv320_values::fluxing> = detail::name_list<altivar::atv320_values::fluxing>({
     {0, "by a run order"}, {1, "continuous, from power-on"}, {2, "none"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::angle_setting> = name_list<altivar::atv320_values::angle_setting>({
+inline constexpr auto enumerators<altivar::atv320_values::angle_setting> = detail::name_list<altivar::atv320_values::angle_setting>({
     {3, "IPMA"}, {4, "SPMA"}, {5, "PSI"}, {6, "PSIO"}, {254, "nO"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::angle_setting> = name_list<altivar::atv320_values::angle_setting>({
+inline constexpr auto meanings<altivar::atv320_values::angle_setting> = detail::name_list<altivar::atv320_values::angle_setting>({
     {3, "IPM alignment"}, {4, "SPM alignment"}, {5, "pulse injection"}, {6, "pulse injection, optimised"},
     {254, "none"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::motor_data_choice> = name_list<altivar::atv320_values::motor_data_choice>({
+inline constexpr auto enumerators<altivar::atv320_values::motor_data_choice> = detail::name_list<altivar::atv320_values::motor_data_choice>({
     {0, "nPr"}, {1, "COS"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::motor_data_choice> = name_list<altivar::atv320_values::motor_data_choice>({
+inline constexpr auto meanings<altivar::atv320_values::motor_data_choice> = detail::name_list<altivar::atv320_values::motor_data_choice>({
     {0, "rated power (NPR)"}, {1, "power factor (COS)"},
 });
 template <>
-inline constexpr auto enumerators<altivar::atv320_values::tuning_temperature> = name_list<altivar::atv320_values::tuning_temperature>({
+inline constexpr auto enumerators<altivar::atv320_values::tuning_temperature> = detail::name_list<altivar::atv320_values::tuning_temperature>({
     {0, "nO"}, {1, "tM"}, {2, "Ct"},
 });
 template <>
-inline constexpr auto meanings<altivar::atv320_values::tuning_temperature> = name_list<altivar::atv320_values::tuning_temperature>({
+inline constexpr auto meanings<altivar::atv320_values::tuning_temperature> = detail::name_list<altivar::atv320_values::tuning_temperature>({
     {0, "not followed"}, {1, "by the thermal model"}, {2, "values of the cold motor"},
 });
 // clang-format on
