@@ -11,7 +11,8 @@ import declarations  # noqa: I100  (the reader that holds docs/names.md to the h
 INTERNAL = re.compile(r"\bInternal\b")
 INTERNAL_HEADER = re.compile(r"^// Internal\b", re.MULTILINE)
 ALIAS = re.compile(r"^using (\w+) = (?:detail::)?(\w+)<", re.MULTILINE)
-DETAIL = re.compile(r"^(?:namespace detail \{|\} // namespace detail)$|\bdetail::", re.MULTILINE)
+NOT_SHOWN = re.compile(r"^(?:(?:inline )?namespace (?:detail|RTUWIRE_BUILD) \{|\} // namespace (?:detail|RTUWIRE_BUILD))$|\bdetail::",
+                       re.MULTILINE)
 
 NAMESPACES = {
     "rtuwire": "All names of the library; docs/names.md sorts them by what they are for.",
@@ -103,7 +104,7 @@ def stage(project, target):
         if is_internal_header(text):
             continue
         shown = inherited.with_inherited(without_internal(text, internal), known, known.keys() - internal)
-        shown = DETAIL.sub("", shown.replace("namespace rtuwire::inline RTUWIRE_BUILD", "namespace rtuwire"))
+        shown = NOT_SHOWN.sub("", shown)
         place = target / path.relative_to(project / "include")
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(shown, encoding="utf-8")

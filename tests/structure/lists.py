@@ -20,7 +20,7 @@ ALL_DRIVES, ALL_FUNCTIONS = "all_drives", "public_functions"
 OWN = ("include/rtuwire/altivar/device/", "include/rtuwire/altivar/parameters/", "include/rtuwire/altivar/atv")
 # A header that knows the drives, and why.
 KNOWS = {"include/rtuwire/port/show.hpp": "an operator is looked for in the namespace of its operand"}
-OF_ONE_DRIVE = re.compile(r"\bnamespace rtuwire::[\w: ]*\batv\d+\w* *\{")
+OF_ONE_DRIVE = re.compile(r"^namespace altivar::[\w:]*\batv\d+\w* \{$", re.MULTILINE)
 NAMED_DRIVE = re.compile(r"\batv\d+\w*\b(?!\.hpp)")
 
 DRIVE_SPACE = re.compile(r"rtuwire::altivar::(atv\w+)")

@@ -48,8 +48,8 @@ SHOWS_A_NAME = {"wire/errc_name.hpp", "altivar/procedure/outcome.hpp"}
 # Everything is in the namespace that names the build; before it stand directives and macros only, one of them the include of
 # what defines it. The version itself, tests/packaging/versions.py checks.
 VERSION = "core/version.hpp"
-OURS = re.compile(r"\bnamespace[ \t]+rtuwire\b([^\n{]*)\{")
-OF_THE_BUILD = re.compile(r"::inline RTUWIRE_BUILD\b(::\w+)*\s*$")
+OURS = re.compile(r"\bnamespace[ \t]+rtuwire\b[^\n{]*\{(?:\s*inline namespace \w+ \{)?")
+OF_THE_BUILD = "namespace rtuwire {\ninline namespace RTUWIRE_BUILD {"
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n\\]|\\.|\\\n)*", re.MULTILINE)
 
@@ -194,8 +194,8 @@ def build(tree):
         code = COMMENT.sub("", text)
         opened = list(OURS.finditer(code))
         for one in opened:
-            if not OF_THE_BUILD.match(one[1]):
-                yield f"{header}: opens `{one[0][:-1].strip()}`, which names no build"
+            if one[0] != OF_THE_BUILD:
+                yield f"{header}: opens `{one[0][:-1].strip()}`, not the namespace of the build on a line of its own"
         before = code[:opened[0].start()] if opened else code
         declared = DIRECTIVE.sub("", before).strip()
         if declared:

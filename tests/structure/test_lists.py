@@ -6,17 +6,21 @@ import unittest
 import lists
 
 DEVICES = """#pragma once
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::compact {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::compact {
 struct family_device { int a; };
 struct device { int a; };
 }
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv99 {
+namespace altivar::atv99 {
 // struct device_1999 {};
 struct device_limit_table;
 enum class mode : int { low };
 struct device : compact::family_device { static constexpr literal name{"struct device_2000 {"}; };
 struct device_2030 : device { int b; };
 struct row { struct device_inside {}; };
+}
+}
 }
 """
 
@@ -122,9 +126,9 @@ class SecondLists(unittest.TestCase):
         self.assertEqual(len(self.found("", "tests/gone.cpp")), 1)
 
     def test_generic_headers_know_no_drive(self):
-        generic = "namespace rtuwire::altivar {\nauto a = atv28::device::layout;\n}"
+        generic = "namespace altivar {\nauto a = atv28::device::layout;\n}"
         self.assertEqual(len(list(lists.named_drives({"include/rtuwire/sim/a.hpp": generic}))), 1)
         self.assertEqual(list(lists.named_drives({"include/rtuwire/altivar/device/atv28.hpp": generic})), [])
-        own = generic.replace("rtuwire::altivar {", "rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {")
+        own = generic.replace("altivar {", "altivar::atv28 {")
         said = "// as an atv28 does\n#include <rtuwire/altivar/atv28.hpp>\n"
         self.assertEqual(list(lists.named_drives({"include/rtuwire/sim/a.hpp": own, "include/b.hpp": said})), [])

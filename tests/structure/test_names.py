@@ -10,7 +10,8 @@ import rules
 HEADER = """// Head.
 #pragma once
 #include <rtuwire/core/result.hpp>
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 enum class early : int;
 class ahead;
 /// A type.
@@ -38,6 +39,7 @@ namespace detail { inline int hidden() { return 1; } }
 static_assert(sizeof(aggregate) == 4);
 constexpr int box<int>::outside() { return 1; }
 // int commented();
+}
 }
 """
 
@@ -70,7 +72,7 @@ class Declarations(unittest.TestCase):
         self.assertEqual(self.found["rtuwire::box"].comment, "A type.")
         self.assertEqual(self.found["rtuwire::corners"].comment, "Internal.")
         self.assertEqual(self.found["rtuwire::aggregate"].comment, "")
-        self.assertEqual(self.found["rtuwire::box"].line, 8)
+        self.assertEqual(self.found["rtuwire::box"].line, 9)
 
 
 class Names(unittest.TestCase):

@@ -132,6 +132,7 @@ class Others(unittest.TestCase):
 
 HEAD = "// A head.\n#pragma once\n\n#include <array>\n\n"
 VERSION = f"#include <rtuwire/{rules.VERSION}>\n"
+BUILD = "namespace rtuwire {\ninline namespace RTUWIRE_BUILD {\n"
 
 
 class Builds(unittest.TestCase):
@@ -139,27 +140,28 @@ class Builds(unittest.TestCase):
         return len(list(rules.build(rules.Tree({header: text}))))
 
     def test_the_namespace_of_the_build_is_accepted(self):
-        for inner in ("", "::sim", "::altivar::atv12"):
-            self.assertEqual(self.count(f"{HEAD}{VERSION}\nnamespace rtuwire::inline RTUWIRE_BUILD{inner} {{\n}}"), 0)
+        for inner in ("", "namespace sim {\n}\n", "namespace altivar::atv12 {\n}\n"):
+            self.assertEqual(self.count(f"{HEAD}{VERSION}\n{BUILD}{inner}}}\n}}"), 0)
 
     def test_another_namespace_is_reported(self):
-        for name in ("rtuwire", "rtuwire::sim", "rtuwire::RTUWIRE_BUILD", "rtuwire::inline v1",
-                     "rtuwire::sim::inline RTUWIRE_BUILD"):
+        for name in ("rtuwire", "rtuwire::sim", "rtuwire::RTUWIRE_BUILD", "rtuwire {\ninline namespace v1",
+                     "rtuwire {\nnamespace sim {\ninline namespace RTUWIRE_BUILD", "rtuwire::inline RTUWIRE_BUILD::detail",
+                     "rtuwire::detail"):
             self.assertEqual(self.count(f"{HEAD}{VERSION}namespace {name} {{\n}}"), 1, name)
 
     def test_the_second_namespace_is_read_too(self):
-        ours = "namespace rtuwire::inline RTUWIRE_BUILD {\n}\n"
+        ours = BUILD + "}\n}\n"
         self.assertEqual(self.count(f"{HEAD}{VERSION}{ours}namespace rtuwire::sim {{\n}}"), 1)
 
     def test_a_missing_or_late_include_is_reported(self):
-        ours = "namespace rtuwire::inline RTUWIRE_BUILD {\n}\n"
+        ours = BUILD + "}\n}\n"
         self.assertEqual(self.count(HEAD + ours), 1)
         self.assertEqual(self.count(HEAD + ours + VERSION), 1)
         self.assertEqual(self.count(HEAD + ours, rules.VERSION), 0)
 
     def test_a_declaration_outside_is_reported(self):
         self.assertEqual(self.count(f"{HEAD}{VERSION}using word = int;\n"), 1)
-        self.assertEqual(self.count(f"{HEAD}int a();\n{VERSION}namespace rtuwire::inline RTUWIRE_BUILD {{\n}}"), 1)
+        self.assertEqual(self.count(f"{HEAD}int a();\n{VERSION}{BUILD}}}\n}}"), 1)
 
     def test_a_door_has_includes_only(self):
         self.assertEqual(self.count(HEAD + VERSION), 0)

@@ -10,7 +10,9 @@
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 namespace atv12 {
 struct device;
@@ -50,4 +52,6 @@ template <typename... Drives> struct drive_list {
 /// All drives of this library.
 using all_drives = drive_list<atv12::device, atv28::device, atv310::device, atv310::device_2026, atv320::device>;
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -27,7 +27,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -334,4 +335,5 @@ template <typename Read, auto const&... Written, device_type Device>
     return why == errc::none ? exchange<Read, Written...>(with, *values...) : request{why};
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

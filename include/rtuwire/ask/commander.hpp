@@ -15,7 +15,8 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -366,4 +367,5 @@ template <conversation T> [[nodiscard]] constexpr bool has_what_it_declares() no
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

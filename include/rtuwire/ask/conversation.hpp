@@ -22,7 +22,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Whether a client may send a request again by itself. A command that its user may cancel meanwhile is sent once.
 enum class repetition : std::uint8_t { allowed, never };
@@ -230,4 +231,5 @@ constexpr void advance_conversation(Conversation& conversation, instant now) noe
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

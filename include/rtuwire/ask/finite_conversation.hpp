@@ -10,7 +10,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -55,4 +56,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

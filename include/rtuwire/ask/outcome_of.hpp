@@ -10,7 +10,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -77,4 +78,5 @@ template <typename Conversation> [[nodiscard]] constexpr bool can_run(Conversati
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -17,7 +17,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -106,4 +107,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

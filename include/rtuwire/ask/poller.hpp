@@ -20,7 +20,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -130,4 +131,5 @@ private:
     snapshot current_{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -18,7 +18,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -157,4 +158,5 @@ public:
 
 template <typename To, detail::pdu Request> single_request(To, Request) -> single_request<Request>;
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -10,7 +10,9 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace cia402 {
 
 /// What a control word commands. "Switch on" and "disable operation" are one word; the state decides which it is.
 enum class command : std::uint8_t {
@@ -93,4 +95,6 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
 /// The same, for what shows any value.
 [[nodiscard]] constexpr literal text_of(command of) noexcept { return name_of(of); }
 
-} // namespace rtuwire::cia402
+} // namespace cia402
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

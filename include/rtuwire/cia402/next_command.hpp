@@ -10,7 +10,9 @@
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace cia402 {
 
 /// The next command toward "operation enabled"; `none` in that state, and where only the drive itself or a fault
 /// reset can change the state.
@@ -54,4 +56,6 @@ namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
     return -1;
 }
 
-} // namespace rtuwire::cia402
+} // namespace cia402
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

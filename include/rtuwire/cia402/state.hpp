@@ -11,7 +11,9 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace cia402 {
 
 /// The state of a drive.
 enum class state : std::uint8_t {
@@ -111,4 +113,6 @@ inline constexpr std::array<state_pattern, 8> state_patterns{{
 /// The same, for what shows any value.
 [[nodiscard]] constexpr literal text_of(state of) noexcept { return name_of(of); }
 
-} // namespace rtuwire::cia402
+} // namespace cia402
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

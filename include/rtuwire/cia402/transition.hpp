@@ -13,7 +13,9 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace cia402 {
 
 /// The number of a transition. 3B leads directly from "ready to switch on" to "operation enabled" on some drives; the
 /// profile's 16, from "quick stop active" back to operation, is one that a drive may lack.
@@ -110,4 +112,6 @@ inline constexpr std::array<transition_rule, 16> transition_rules{{
 /// The same, for what shows any value.
 [[nodiscard]] constexpr literal text_of(transition of) noexcept { return name_of(of); }
 
-} // namespace rtuwire::cia402
+} // namespace cia402
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

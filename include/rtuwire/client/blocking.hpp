@@ -20,7 +20,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/receive_from.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -406,4 +407,5 @@ private:
     std::array<std::byte, max_pdu_size> response_{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

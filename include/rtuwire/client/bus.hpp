@@ -27,7 +27,8 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -539,4 +540,5 @@ private:
     bool is_urgent_{false};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

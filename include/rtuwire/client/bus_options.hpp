@@ -10,7 +10,8 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// How a bus treats units that do not answer.
 struct bus_options {
@@ -34,4 +35,5 @@ struct slot_options {
     duration longest_gap{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

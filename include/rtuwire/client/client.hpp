@@ -33,7 +33,8 @@
 #include <rtuwire/wire/response.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Sends one request at a time, for any number of conversations. In each pass call `receive` with what arrived, `sent`
 /// when the last stop bit has left, `advance`; then `converse` for each conversation, in the same order; then send
@@ -723,4 +724,5 @@ template <std::size_t Units = 1> using drive_client = basic_client<detail::needs
 /// The same where memory does not matter: its requests and responses may have any size.
 using host_client = basic_client<host_needs>;
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -11,7 +11,8 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Reads one register of a unit and checks whether the request comes back, while it is sent or before the response.
 /// For a client without `has_line_echo`.
@@ -38,4 +39,5 @@ private:
     static constexpr std::uint16_t address = 0x0300;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

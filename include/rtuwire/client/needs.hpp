@@ -21,7 +21,8 @@
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// What a client needs. `Functions`: those that it asks, each by the type of its request; other requests are refused with
 /// `invalid_function`, and where a conversation's type tells what it asks, by the compiler. With all public functions, the
@@ -133,4 +134,5 @@ inline constexpr auto traced_needs =
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -9,7 +9,8 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The time-out and the retries for one unit.
 struct retry_policy {
@@ -56,4 +57,5 @@ struct client_options {
     friend constexpr bool operator==(client_options const&, client_options const&) noexcept = default;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -37,7 +37,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -846,4 +847,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

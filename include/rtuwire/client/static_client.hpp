@@ -8,7 +8,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/trace/observer.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -36,4 +37,5 @@ template <line_timing const& Timing, std::size_t Units = 1,
           client_options const& Options = detail::default_client_options, typename Observer = detail::no_observer>
 using static_drive_client = basic_client<detail::fixed_needs<Timing, Options, Observer, Units>>;
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

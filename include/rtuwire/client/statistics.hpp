@@ -15,7 +15,8 @@
 #include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Counts since the last reset; each stops at its highest value.
 struct counters {
@@ -188,4 +189,5 @@ private:
     line_statistics line_{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

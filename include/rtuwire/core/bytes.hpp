@@ -11,7 +11,8 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Bytes to be read, owned and kept alive elsewhere. Passed by value; by reference only on a client's deepest
 /// call path, because a small processor puts each copy on its stack.
@@ -162,4 +163,5 @@ private:
     bool ok_{true};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -9,7 +9,8 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -33,4 +34,5 @@ template <typename Setting> inline constexpr bool is_constant = std::is_empty_v<
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

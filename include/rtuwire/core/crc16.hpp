@@ -13,7 +13,8 @@
 #include <rtuwire/core/crc16/words.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// How the CRC is computed, and what tables that needs.
 enum class crc_form : std::uint8_t {
@@ -91,4 +92,5 @@ template <crc_form Form = detail::default_crc_form>
     }
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -12,7 +12,8 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -104,4 +105,5 @@ template <detail::hex_literal Text> consteval auto operator""_hex() noexcept
     return out.first(size);
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

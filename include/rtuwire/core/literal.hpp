@@ -11,7 +11,8 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -61,4 +62,5 @@ private:
     std::size_t size_{0};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

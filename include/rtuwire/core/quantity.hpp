@@ -15,7 +15,8 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// What is measured. Each is a type without values.
 struct frequency {
@@ -252,4 +253,5 @@ template <typename Target, std::integral Rep, typename Scale>
     return Target{static_cast<target_rep>(steps)};
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -19,7 +19,8 @@
 #include <rtuwire/core/quantity.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Not constexpr, so that in a constant expression the compiler reports one of these names. At run time they do
 /// nothing.
@@ -347,4 +348,5 @@ template <detail::any_quantity Amount, detail::plain_integer Integer>
     return part{is_none ? 0 : detail::quotient_of_counts(amount.count(), detail::as_factor(divisor))};
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

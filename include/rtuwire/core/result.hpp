@@ -11,7 +11,8 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 enum class errc : std::uint8_t;
 
@@ -171,4 +172,5 @@ private:
     errc error_{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -17,7 +17,8 @@
 #include <rtuwire/core/quantity_arithmetic.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -167,4 +168,5 @@ template <typename Dimension, typename Rep, typename Scale>
     return text;
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

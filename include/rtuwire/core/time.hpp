@@ -18,7 +18,8 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Not constexpr, so that in a constant expression the compiler reports one of these names. At run
 /// time they do nothing.
@@ -223,4 +224,5 @@ private:
     return reached(*right, *left) ? left : right;
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -12,7 +12,8 @@
 #include <rtuwire/core/quantity_arithmetic.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Register types, named by the step they count.
 using hertz = quantity<frequency, std::uint16_t>;
@@ -191,4 +192,5 @@ template <char... Digits> consteval auto operator""_raw() noexcept
 
 } // namespace literals
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

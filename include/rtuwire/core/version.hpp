@@ -57,7 +57,8 @@
 #define RTUWIRE_BUILD RTUWIRE_JOIN(RTUWIRE_VERSION, unchecked, RTUWIRE_CRC_FORM)
 #endif
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The same version for the language.
 inline constexpr int version = RTUWIRE_VERSION;
@@ -69,4 +70,5 @@ inline constexpr bool has_system = RTUWIRE_HAS_SYSTEM != 0;
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -23,7 +23,8 @@
 #define RTUWIRE_TAKES_ANY_RATE 0
 #endif
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The platform's code of a bit rate, if it has one.
 [[nodiscard]] inline std::optional<speed_t> speed_code(std::uint32_t bits_per_second) noexcept
@@ -187,4 +188,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -12,7 +12,8 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// A std::chrono duration as ours: whole microseconds, rounded down; below zero it is zero, and one that is
 /// too long is refused or becomes the longest, as in `microseconds`.
@@ -99,4 +100,5 @@ private:
     std::int64_t at_; ///< in microseconds
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -19,7 +19,8 @@
 #include <rtuwire/port/driver_call.hpp>
 #include <rtuwire/port/transceiver.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -109,4 +110,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

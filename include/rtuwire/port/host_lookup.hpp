@@ -26,7 +26,8 @@
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/standard_places.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -146,4 +147,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

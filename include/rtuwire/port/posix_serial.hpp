@@ -27,7 +27,8 @@
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// A serial device. Can be moved; its destructor closes it and leaves the device as it was set up, but for the switching of a
 /// transceiver, which is put back.
@@ -200,4 +201,5 @@ private:
     std::string failure_;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -23,7 +23,8 @@
 #include <rtuwire/port/serial_settings.hpp>
 #include <rtuwire/port/standard_places.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The near end of a pseudo-terminal. Can be moved; the far end vanishes with it.
 class pseudo_terminal {
@@ -111,4 +112,5 @@ private:
     clock::time_point next_look_{clock::now()}; ///< counts 64 bits: nobody may read for an hour
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -28,7 +28,8 @@
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// What a serial device is opened with.
 struct serial_settings {
@@ -211,4 +212,5 @@ template <typename Driver> bool set_low_latency([[maybe_unused]] Driver&& call) 
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -19,7 +19,8 @@
 #include <rtuwire/table/register_text.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -85,6 +86,7 @@ template <typename Formatter> struct formatter_of_texts : Formatter {
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire
 
 #if defined(__cpp_lib_format)

@@ -14,7 +14,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/descriptor.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -43,4 +44,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

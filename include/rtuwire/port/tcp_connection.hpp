@@ -21,7 +21,8 @@
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/standard_places.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -144,4 +145,5 @@ inline void set_up_connection(int socket) noexcept
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

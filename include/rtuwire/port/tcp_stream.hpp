@@ -21,7 +21,8 @@
 #include <rtuwire/port/tcp_connection.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// A connection to a serial device server that passes bytes on as they are ("raw", "TCP server" or "RTU over TCP" mode; not
 /// Modbus/TCP, which has another frame). Can be moved; its destructor closes it.
@@ -132,4 +133,5 @@ private:
     std::string failure_{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

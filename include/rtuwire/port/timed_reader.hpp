@@ -20,7 +20,8 @@
 #include <rtuwire/port/serial_settings.hpp>
 #include <rtuwire/port/standard_places.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -85,4 +86,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

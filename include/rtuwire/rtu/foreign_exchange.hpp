@@ -15,7 +15,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -112,4 +113,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

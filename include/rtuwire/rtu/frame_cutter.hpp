@@ -24,7 +24,9 @@
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::detail {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace detail {
 
 /// Internal: the times of a line, and memory for its frames.
 template <typename Line, std::size_t Size> struct line_memory {
@@ -471,4 +473,6 @@ private:
     [[no_unique_address]] foreign_exchange<Way, Functions> others_{};
 };
 
-} // namespace rtuwire::detail
+} // namespace detail
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

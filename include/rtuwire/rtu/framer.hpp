@@ -33,7 +33,8 @@
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Splits a stream of bytes into frames. Call `receive` with the bytes that arrived until all are taken, and
 /// `poll_frame` after each call; call `advance` when time has passed, at the latest at `poll_deadline`.
@@ -134,4 +135,5 @@ private:
     typename cutter::memory memory_;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

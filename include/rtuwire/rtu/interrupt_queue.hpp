@@ -18,7 +18,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/published.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -248,4 +249,5 @@ private:
     std::array<std::byte, Capacity> values_{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -11,7 +11,8 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Data bits, parity and stop bits. The specification requires 11 bits, `even_8_1` by default; the ATV28 uses
 /// `none_8_1`, of 10 bits.
@@ -144,4 +145,5 @@ private:
     duration silence_;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

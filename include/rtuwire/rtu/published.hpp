@@ -13,7 +13,9 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::detail {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace detail {
 
 /// Loads what the other side stores: an acquiring load sees all that was written before the releasing store it reads.
 template <typename T> [[nodiscard]] constexpr T load(T const& from) noexcept
@@ -29,4 +31,6 @@ template <typename T> constexpr void store(T& to, T value) noexcept
     }
 }
 
-} // namespace rtuwire::detail
+} // namespace detail
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -11,7 +11,8 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -46,4 +47,5 @@ result<void> receive_from(Port& port, Engine& engine, byte_span place, instant u
     return {};
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -18,7 +18,8 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/views.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Registers that can be checked before they are accessed. `check_read` and `check_write` change nothing and return
 /// none, `illegal_data_address` or `illegal_data_value`; `read` appends `count` words and `write` stores all values,
@@ -192,4 +193,5 @@ private:
     std::array<std::byte, detail::bytes_of_bits(Count)> bytes_{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -13,7 +13,8 @@
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/units.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -71,4 +72,5 @@ result<void> serve_once(detail::basic_server<Diagnostics, Functions, detail::uni
     return detail::serve_pass(node, port, time_limit, [&](instant now) { node.serve(now); });
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -31,7 +31,8 @@
 #include <rtuwire/wire/serial_line/file_records.hpp>
 #include <rtuwire/wire/views.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -373,4 +374,5 @@ template <register_bank Bank> constexpr auto with_hooks(Bank const&& bank) noexc
     return bank;
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

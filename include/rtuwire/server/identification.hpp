@@ -16,7 +16,8 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// One object of a device's identification; its text has at most 244 characters.
 struct device_object {
@@ -198,4 +199,5 @@ namespace detail {
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -27,7 +27,8 @@
 #include <rtuwire/wire/serial_line/file_records.hpp>
 #include <rtuwire/wire/serial_line/unit_report.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// What a server can do. The defaults are the specification's limits and every function that the server has in its
 /// type; a device's manual may allow less.
@@ -390,4 +391,5 @@ template <typename Functions = detail::register_functions, typename Bank>
     return respond<Functions>(request_pdu, bank, profile, out, line);
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -11,7 +11,8 @@
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Answers the request in the first `size` bytes of `place`, which has at least 256. The response is written over it;
 /// empty where none is due: another unit, a broadcast, a damaged frame. A request to this unit cannot be told here
@@ -34,4 +35,5 @@ template <typename Functions = detail::register_functions, typename Bank, typena
     return is_broadcast or pdu.size == 0 ? byte_span{} : detail::append_crc(place, pdu.size);
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

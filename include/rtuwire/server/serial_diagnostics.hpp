@@ -16,7 +16,8 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/serial_line/diagnostics.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -212,4 +213,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

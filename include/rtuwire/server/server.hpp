@@ -44,7 +44,8 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -449,4 +450,5 @@ using server = detail::basic_server<loopback_only>;
 /// A server with the counters and the listen-only mode of function 08.
 using counting_server = detail::basic_server<detail::serial_diagnostics>;
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

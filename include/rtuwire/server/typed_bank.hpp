@@ -28,7 +28,8 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/views.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -545,4 +546,5 @@ private:
         discrete_inputs_{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -19,7 +19,8 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Says: this bank answers as this unit, by every public function that it has something for (coils, a queue, files and
 /// so on) and its server has, or by those that a profile allows. The bank and the profile are stored elsewhere, and must
@@ -189,4 +190,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

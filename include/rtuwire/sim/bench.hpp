@@ -31,7 +31,9 @@
 #include <rtuwire/sim/line/line.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// What can be connected to a line: a client, a bus, a simulated drive, a server with its bank.
 /// Internal.
@@ -445,4 +447,6 @@ public:
 template <typename... Ends> bench(line_timing, Ends const&...) -> bench<host_client, typename end_for<Ends>::type...>;
 template <line_end Link, typename... Ends> bench(Link, Ends const&...) -> bench<Link, typename end_for<Ends>::type...>;
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -22,7 +22,8 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The unit addresses that a device can be set to.
 struct unit_range {
@@ -181,4 +182,5 @@ template <device_type Device>
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -12,7 +12,8 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// A value and the mnemonic that the manual gives it.
 struct named_value {
@@ -78,4 +79,5 @@ template <typename E> [[nodiscard]] constexpr literal name_of(E value) noexcept
     return detail::listed_name(enumerators<E>, static_cast<std::uint16_t>(value));
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -9,7 +9,8 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// One word whose bits are named by an enumeration of bit numbers 0..15.
 template <typename Bit>
@@ -48,4 +49,5 @@ enum class unnamed_bit : std::uint8_t {};
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

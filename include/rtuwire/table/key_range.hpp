@@ -11,7 +11,8 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/table/table.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -40,4 +41,5 @@ template <auto const& R> [[nodiscard]] constexpr key_range range_of() noexcept
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -19,7 +19,8 @@
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/table/table.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -277,4 +278,5 @@ template <typename Device, std::size_t Words, std::size_t Most, std::size_t Rang
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -21,7 +21,8 @@
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// In a plan, instead of registers one by one: registers whose values have to be of one moment, so that one request
 /// reads them: `read_plan<device, together<power, power_factor>, energy>`.
@@ -225,4 +226,5 @@ public:
     };
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -18,7 +18,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Who may write a register, and when.
 enum class access : std::uint8_t {
@@ -323,4 +324,5 @@ template <auto const& R> inline constexpr bool has_own_steps = has_readable_step
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

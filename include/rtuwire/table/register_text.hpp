@@ -16,7 +16,8 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/table/setting.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -72,4 +73,5 @@ template <auto const& R> [[nodiscard]] constexpr auto text_of(setting<R> value) 
     return text_of(value.value());
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -12,7 +12,8 @@
 #include <rtuwire/table/form/word_order.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -79,4 +80,5 @@ inline constexpr reg<Step, std::remove_cvref_t<decltype(R)>::space> restepped{
     .counted_as = &R,
     .is_restepped = true};
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -18,7 +18,8 @@
 #include <rtuwire/table/restepped.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void value_is_above_the_register_maximum();
@@ -273,4 +274,5 @@ template <typename Value> [[nodiscard]] constexpr detail::value_to_check<Value> 
     return detail::value_to_check<Value>{value};
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

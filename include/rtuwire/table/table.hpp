@@ -14,7 +14,8 @@
 #include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Never defined for two registers: their names are the message, their arguments the registers in conflict.
 template <auto const& A, auto const& B> struct these_registers_overlap;
@@ -184,4 +185,5 @@ private:
                                                        detail::register_at<namesake.second, Registers...>()>) > 0);
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

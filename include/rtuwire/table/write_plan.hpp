@@ -16,7 +16,8 @@
 #include <rtuwire/table/plan_words.hpp>
 #include <rtuwire/table/setting.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -102,4 +103,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -19,7 +19,9 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/response.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::detail {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace detail {
 
 /// Internal: what bytes turned out to be.
 struct frame_match {
@@ -198,4 +200,6 @@ struct frame_match {
     return different == 0 or (different <= most_different and damaged.size() == frame.size());
 }
 
-} // namespace rtuwire::detail
+} // namespace detail
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

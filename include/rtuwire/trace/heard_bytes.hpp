@@ -16,7 +16,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::detail {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace detail {
 
 /// Internal: room for two of the longest frames.
 class heard_bytes {
@@ -122,4 +124,6 @@ private:
     instant end_{0};
 };
 
-} // namespace rtuwire::detail
+} // namespace detail
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

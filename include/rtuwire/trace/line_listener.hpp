@@ -29,7 +29,8 @@
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// What a listener heard: a frame, or bytes that are none, or (`is_unanswered`, and then no bytes) that a request got
 /// no response. Its views are valid until the listener is called again.
@@ -386,4 +387,5 @@ private:
     instant seen_{0}; ///< up to when time has passed
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

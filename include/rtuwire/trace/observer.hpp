@@ -16,7 +16,8 @@
 #include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// What can be counted.
 enum class line_event : std::uint8_t {
@@ -249,4 +250,5 @@ template <typename Observer> [[nodiscard]] constexpr auto& first_of(Observer& ob
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -20,7 +20,8 @@
 #include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// A sink of `Bytes` bytes, a power of two; a frame takes 6 more than it has. One context writes: all engines that are
 /// traced by one ring run in it. One context reads, by `poll_frame`.
@@ -138,4 +139,5 @@ private:
     std::array<std::byte, Bytes> bytes_{};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -12,7 +12,8 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// What a frame is, as far as its place on the line tells.
 enum class frame_role : std::uint8_t { unknown, request, response };
@@ -72,4 +73,5 @@ concept frame_sink = requires(Sink& sink, traced_frame const& frame)
     noexcept;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -20,7 +20,8 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -189,4 +190,5 @@ template <typename Make> [[nodiscard]] consteval auto constant_frame(Make) noexc
     return adu{frame};
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -16,7 +16,8 @@
 #include <rtuwire/wire/pdu_fields.hpp>
 #include <rtuwire/wire/views.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -361,4 +362,5 @@ constexpr bool operator==(write_multiple_coils<Left> const& left, write_multiple
     return left.start == right.start and bit_view{left.values} == bit_view{right.values};
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

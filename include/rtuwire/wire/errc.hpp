@@ -12,7 +12,8 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Why there is no value. Exceptions keep the number they have on the wire.
 enum class errc : std::uint8_t {
@@ -279,4 +280,5 @@ enum class error_category : std::uint8_t {
     return is_exception(error) ? error_category::exception : error_category::unknown;
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -9,7 +9,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The error in words; "exception" for an exception code that has no name.
 [[nodiscard]] constexpr std::string_view name(errc error) noexcept
@@ -73,4 +74,5 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// The same, for what shows any value.
 [[nodiscard]] constexpr std::string_view text_of(errc error) noexcept { return name(error); }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -8,7 +8,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu_fields.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The response to function 23: the `registers` read after the write.
 using read_write_multiple_registers_response = detail::registers_response<function_code::read_write_multiple_registers>;
@@ -88,4 +89,5 @@ constexpr bool operator==(read_write_multiple_registers<Left> const& left,
            left.write_start == right.write_start and detail::same_bytes(left.values.bytes(), right.values.bytes());
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

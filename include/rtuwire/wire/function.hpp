@@ -15,7 +15,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// A function code (AP 5.1). Any code in 1..127 is possible; the public ones have names.
 enum class function_code : std::uint8_t {
@@ -177,4 +178,5 @@ struct raw_length {
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -22,7 +22,8 @@
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line_rules.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Functions, each by the type of its request.
 template <typename... Functions> struct function_list {
@@ -272,4 +273,5 @@ template <typename Functions = public_functions>
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -10,7 +10,8 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 inline constexpr std::size_t min_adu_size = 4;   ///< unit, function, CRC (SL 2.5.1.1)
 inline constexpr std::size_t max_adu_size = 256; ///< SL 2.5.1.1
@@ -59,4 +60,5 @@ namespace detail {
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

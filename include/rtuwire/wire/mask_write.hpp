@@ -8,7 +8,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu_fields.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Changes single bits of one register of one unit or of all, in one transaction: the register becomes
 /// (its value AND `and_mask`) OR (`or_mask` AND NOT `and_mask`). The response repeats the request.
@@ -78,4 +79,5 @@ struct mask_write_register {
     friend constexpr bool operator==(mask_write_register const&, mask_write_register const&) = default;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -19,7 +19,8 @@
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/views.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -158,4 +159,5 @@ template <function_code Function, std::uint16_t Most> struct written_run_respons
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -13,7 +13,8 @@
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/functions.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// A refusal of `function`; 0 is allowed, since a server refuses that one like any other. `code` is any
 /// number, listed in errc.hpp or not.
@@ -124,4 +125,5 @@ constexpr bool operator==(raw_pdu<Left> const& left, raw_pdu<Right> const& right
     return left.function == right.function and detail::same_bytes(left.data, right.data);
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -10,7 +10,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu_fields.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The response to function 03: as many `registers` as were requested.
 using read_holding_registers_response = detail::registers_response<function_code::read_holding_registers>;
@@ -163,4 +164,5 @@ constexpr bool operator==(write_multiple_registers<Left> const& left,
     return left.start == right.start and detail::same_bytes(left.values.bytes(), right.values.bytes());
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -13,7 +13,8 @@
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/functions.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -259,4 +260,5 @@ template <typename Functions = public_functions>
     return is_own ? errc::line_echo : wrong;
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

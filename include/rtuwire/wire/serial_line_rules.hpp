@@ -16,7 +16,8 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/views.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 class file_runs;
 // A compiler shows the line, and with it the header to include.
@@ -263,4 +264,5 @@ template <> struct function_row_of<read_device_identification> {
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -18,7 +18,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Ends a program that reads or sets a register behind the last one; see `on_missing_value`. Not constexpr, so that
 /// in a constant expression the compiler reports this name.
@@ -279,4 +280,5 @@ private:
 
 template <std::same_as<bool>... Values> bit_block(Values...) -> bit_block<sizeof...(Values)>;
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

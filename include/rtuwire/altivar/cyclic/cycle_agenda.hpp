@@ -15,7 +15,9 @@
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The steps of one drive's cycle. `is_prepared`: the drive was checked. "First" is `exchange`, or `read` where an
 /// exchange takes two requests; (f) is `look_for_fault` where the drive is newly in fault, (s) `say_stop` where it may
@@ -265,4 +267,6 @@ private:
     bool waits_{false}; ///< a period, until the next request
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

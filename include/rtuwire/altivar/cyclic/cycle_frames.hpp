@@ -15,7 +15,9 @@
 #include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/registers.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Inputs, outputs and the request of one drive's cycle.
 template <drive_type Device> class cycle_frames {
@@ -111,4 +113,6 @@ private:
     unit_id unit_;
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -12,7 +12,9 @@
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The words that a drive's cycle reads and writes.
 template <drive_type Device> struct cycle_layout {
@@ -48,4 +50,6 @@ template <drive_type Device> struct cycle_layout {
     }
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -12,7 +12,9 @@
 #include <rtuwire/altivar/cyclic/cyclic_control.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What has to be sent to a drive before anything else, because it was stopped or lost.
 class stop_duty {
@@ -152,4 +154,6 @@ private:
     bool was_taken_{false}; ///< the drive answered the last write
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The drive as it was read last.
 class cycle_sight {
@@ -95,4 +97,6 @@ private:
     bool has_read_fault_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

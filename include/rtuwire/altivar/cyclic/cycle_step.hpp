@@ -9,7 +9,9 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The requests of a cycle.
 enum class cycle_step : std::uint8_t {
@@ -68,4 +70,6 @@ private:
     cycle_step next_{cycle_step::compare_meaning};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

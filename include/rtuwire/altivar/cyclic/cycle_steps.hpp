@@ -22,7 +22,9 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The requests to one drive, one by one.
 template <drive_type Device> class cycle_steps {
@@ -264,4 +266,6 @@ private:
     std::uint8_t tolerated_misses_;
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

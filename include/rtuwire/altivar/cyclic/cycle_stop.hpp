@@ -13,7 +13,9 @@
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The stop of one drive.
 class cycle_stop {
@@ -99,4 +101,6 @@ private:
     bool has_ended_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

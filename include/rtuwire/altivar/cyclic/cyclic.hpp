@@ -20,7 +20,9 @@
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/function.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// A conversation without an end: give it to a client or a bus in each pass. Where the drive's time-out has passed since the
 /// last request of it that was answered, as in a program that was not scheduled, the drive is lost, whatever its reaction to
@@ -321,4 +323,6 @@ private:
     bool has_doubted_{false}; ///< since the last pause
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -18,7 +18,9 @@
 #include <rtuwire/cia402/next_command.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The words of a fault reset: the reset bit is low, high, low.
 class reset_edge {
@@ -271,4 +273,6 @@ private:
     bool had_stop_key_{false}; ///< pressed before the order, and shown until the motor runs
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -10,7 +10,9 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The period of a cycle, and what the drive is checked against before the first order.
 struct cyclic_options {
@@ -28,4 +30,6 @@ struct cyclic_options {
     bool by_function_23{true};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

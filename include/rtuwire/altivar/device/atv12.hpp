@@ -12,7 +12,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv12 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv12 {
 
 using namespace compact;
 
@@ -204,4 +206,6 @@ struct device : family_device {
               nma3, nma4, nca1, nca2, nca3, nca4, nm1, nm2, nm3, nm4, nc1, nc2, nc3, nc4>;
 };
 
-} // namespace rtuwire::altivar::atv12
+} // namespace altivar::atv12
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

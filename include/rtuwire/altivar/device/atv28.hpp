@@ -17,7 +17,9 @@
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/read_plan.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv28 {
 
 // clang-format off
 inline constexpr reg<count16> cod{.code = "COD", .address = 2, .mode = access::configuration, .min = {0}, .max = {9999},
@@ -298,4 +300,6 @@ struct device {
               smah, spal, spah, spat, spdl, spdh, spdt>;
 };
 
-} // namespace rtuwire::altivar::atv28
+} // namespace altivar::atv28
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

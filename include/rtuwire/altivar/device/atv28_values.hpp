@@ -10,7 +10,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv28 {
 
 // clang-format off
 /// How the terminals command.
@@ -113,9 +115,7 @@ enum class profile_fault : std::uint16_t {
 };
 // clang-format on
 
-} // namespace rtuwire::altivar::atv28
-
-namespace rtuwire::inline RTUWIRE_BUILD {
+} // namespace altivar::atv28
 
 // clang-format off
 template <>
@@ -216,4 +216,5 @@ inline constexpr auto meanings<altivar::atv28::profile_fault> = detail::name_lis
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

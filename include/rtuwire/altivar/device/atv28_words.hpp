@@ -10,7 +10,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/flags.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv28 {
 
 /// CMD and CMDD.
 enum class command_bit : std::uint8_t {
@@ -108,4 +110,6 @@ using active_faults_2 = flags<active_fault_2_bit>;
 using reserved_word = flags<detail::unnamed_bit>;
 using firmware_word = flags<detail::unnamed_bit>;
 
-} // namespace rtuwire::altivar::atv28
+} // namespace altivar::atv28
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv310 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv310 {
 
 using namespace compact;
 
@@ -254,4 +256,6 @@ struct device_2026 : device {
               nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7, nc8>;
 };
 
-} // namespace rtuwire::altivar::atv310
+} // namespace altivar::atv310
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

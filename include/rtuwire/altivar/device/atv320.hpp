@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<rating> ncv{.code = "NCV", .address = 3011, .mode = access::read_only, .name = "Drive rating", .source = provenance::inferred};
@@ -265,4 +267,6 @@ struct device : family_device {
                             nm1, nm2, nm3, nm4, nm5, nm6, nm7, nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7, nc8>;
 };
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -9,7 +9,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 /// The line's bit rate.
@@ -111,9 +113,7 @@ enum class ramp_step : std::uint16_t {
 };
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
-
-namespace rtuwire::inline RTUWIRE_BUILD {
+} // namespace altivar::atv320
 
 // clang-format off
 template <>
@@ -238,4 +238,5 @@ inline constexpr auto enumerators<altivar::atv320::ramp_step> = detail::name_lis
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

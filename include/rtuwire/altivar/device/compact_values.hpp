@@ -9,7 +9,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::compact {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::compact {
 
 // clang-format off
 /// The line's bit rate.
@@ -87,9 +89,7 @@ enum class mains : std::uint16_t {
 };
 // clang-format on
 
-} // namespace rtuwire::altivar::compact
-
-namespace rtuwire::inline RTUWIRE_BUILD {
+} // namespace altivar::compact
 
 // clang-format off
 template <>
@@ -180,4 +180,5 @@ inline constexpr auto enumerators<altivar::compact::mains> = detail::name_list<a
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

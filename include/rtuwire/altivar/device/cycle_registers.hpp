@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Where a drive has its scanner; `scanner_registers{}` where it has none. Each row has `words` registers, one after
 /// the other, and is named here by its first.
@@ -93,4 +95,6 @@ struct cycle_registers {
     bool by_scanner{false}; ///< the words are the first ones of the scanner, which stand for these registers
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

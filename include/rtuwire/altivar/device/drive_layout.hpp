@@ -12,7 +12,9 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Status bits that all Altivars share, beside those of the state.
 /// Internal.
@@ -116,4 +118,6 @@ inline constexpr std::uint16_t later_control_word = 8501;
     return layout.cmd == later_control_word;
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -12,7 +12,9 @@
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What each device of the family inherits, unless it says otherwise.
 struct family_device {
@@ -29,4 +31,6 @@ struct family_device {
     static constexpr link_timeout silence{milliseconds(10'000), milliseconds(30'000)};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/setting.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The direction in which the motor turns.
 enum class run_direction : std::uint8_t { forward, reverse };
@@ -97,4 +99,6 @@ private:
     reference_write write_;
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

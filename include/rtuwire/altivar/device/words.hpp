@@ -10,7 +10,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/flags.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// CMD and CMDD.
 enum class command_bit : std::uint8_t {
@@ -84,4 +86,6 @@ enum class configuration_fault_bit : std::uint8_t {
 };
 using configuration_faults = flags<configuration_fault_bit>;
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -20,7 +20,9 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Reads a parameter map in the order of addresses, and calls `sink(parameter_group const&, parameter const&,
 /// result<std::uint16_t>)` once for each row: with its word, with the exception by which the drive refused it, or with
@@ -141,4 +143,6 @@ private:
 
 template <typename Station, typename Sink> backup(Station, parameter_map, Sink) -> backup<Sink>;
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -12,7 +12,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// A walk over the rows that pass a filter, from the lowest address to the highest. `find` a block, ask the drive for
 /// it, then `pass` or `refuse` it.
@@ -73,4 +75,6 @@ private:
            error != errc::gateway_target_failed_to_respond;
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -15,7 +15,9 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What a comparison of one parameter gave.
 enum class comparison : std::uint8_t {
@@ -78,4 +80,6 @@ private:
 };
 template <typename Wanted, typename Report> compared_with(Wanted, Report) -> compared_with<Wanted, Report>;
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The letters and the number that a text begins with: "ATV320" of "ATV320U07M2C" and of "atv320". Unknown where a text
 /// does not begin so, or goes on for more than 8 characters before its number ends.
@@ -85,4 +87,6 @@ private:
     std::uint8_t size_{0};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

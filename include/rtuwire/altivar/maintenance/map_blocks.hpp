@@ -15,7 +15,9 @@
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// A row and the group that it is in; null where there is none.
 struct placed_row {
@@ -78,4 +80,6 @@ template <typename Filter>
     return {static_cast<std::uint16_t>(start), count};
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What a parameter is for a restore and for a comparison.
 enum class parameter_role : std::uint8_t {
@@ -234,4 +236,6 @@ inline constexpr role_index parameter_roles;
     return found == nullptr ? literal{} : found->why;
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -15,7 +15,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What a drive shall hold: `words(parameter const&)` gives the word of a parameter as a `std::optional<std::uint16_t>`,
 /// always the same. `family` is the family of the drive that these words are of.
@@ -174,4 +176,6 @@ struct restore_report {
     return allowed;
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

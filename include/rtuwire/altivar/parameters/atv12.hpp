@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv12 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv12 {
 
 // clang-format off
 inline constexpr reg<seconds> tac{.code = "TAC", .address = 3235, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0, .name = "Time in transistor temperature alarm"};
@@ -186,9 +188,9 @@ inline constexpr reg<signed_count16> ai1c{.code = "AI1C", .address = 5242, .mode
 inline constexpr reg<signed_count16> ao1c{.code = "AO1C", .address = 5271, .mode = access::read_only, .name = "AO1, physical value", .source = provenance::doubtful};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv12
+} // namespace altivar::atv12
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv12::groups {
+namespace altivar::atv12::groups {
 
 /// What the drive shows.
 struct monitoring
@@ -260,16 +262,16 @@ struct functions_pump : parameter_list<nfd, ffd, lfd, mde, fon, fof, ton, tof, r
 /// Torque and current limits.
 struct functions_limits : parameter_list<cli> {};
 
-} // namespace rtuwire::altivar::atv12::groups
+} // namespace altivar::atv12::groups
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv12::unverified {
+namespace altivar::atv12::unverified {
 
 /// Analog inputs and outputs.
 struct analog_io : parameter_list<ai1c, ao1c> {};
 
-} // namespace rtuwire::altivar::atv12::unverified
+} // namespace altivar::atv12::unverified
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv12 {
+namespace altivar::atv12 {
 
 /// The parameters by group.
 /// Internal.
@@ -318,4 +320,6 @@ struct full_device : device {
                       groups::functions_pid, groups::functions_pump, groups::functions_limits, unverified::analog_io>;
 };
 
-} // namespace rtuwire::altivar::atv12
+} // namespace altivar::atv12
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -16,7 +16,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv310 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv310 {
 
 // clang-format off
 inline constexpr reg<active_channel> crc{.code = "CRC", .address = 8441, .mode = access::read_only, .name = "Active reference channel", .source = provenance::inferred};
@@ -30,9 +32,9 @@ inline constexpr reg<configuration_save> scs{.code = "SCS", .address = 8001, .mo
 inline constexpr reg<configuration_recall> fcs{.code = "FCS", .address = 8002, .mode = access::configuration, .factory = 0, .name = "Load a configuration or factory settings", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv310
+} // namespace altivar::atv310
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv310::groups {
+namespace altivar::atv310::groups {
 
 /// What the drive shows.
 struct monitoring : parameter_list<eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth, hmis, crc, ccc, thr> {};
@@ -82,9 +84,9 @@ struct functions_ramp : parameter_list<ac2, de2> {};
 /// Stopping and DC injection.
 struct functions_stop : parameter_list<stt> {};
 
-} // namespace rtuwire::altivar::atv310::groups
+} // namespace altivar::atv310::groups
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv310 {
+namespace altivar::atv310 {
 
 /// The parameters by group, with the scanner of one manual or the other.
 /// Internal.
@@ -130,4 +132,6 @@ struct full_device_2014 : device {
     using registers = all_groups<groups::scanner_2014>;
 };
 
-} // namespace rtuwire::altivar::atv310
+} // namespace altivar::atv310
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -10,7 +10,9 @@
 #include <rtuwire/altivar/parameters/menu_numbers.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv310 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv310 {
 
 /// Internal.
 inline constexpr menu_number printed_in_2014[]{
@@ -38,4 +40,6 @@ inline constexpr menu_numbers menu_2014{printed_in_2014};
 /// Of the drive `device_2026` and of `full_device`, by the manual of 2026.
 inline constexpr menu_numbers menu_2026{printed_in_2026};
 
-} // namespace rtuwire::altivar::atv310
+} // namespace altivar::atv310
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -42,7 +42,9 @@
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 /// The parameters by group.
 /// Internal.
@@ -125,4 +127,6 @@ struct full_device : device {
                       unverified::functions_hoisting, unverified::history_safety_1, unverified::history_safety_2>;
 };
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

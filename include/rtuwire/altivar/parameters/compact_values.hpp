@@ -12,7 +12,9 @@
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/flags.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::compact {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::compact {
 
 /// What a register may point at: an input, a measurement, a reference.
 using signal_source = reference_channel;
@@ -127,9 +129,7 @@ enum class state_history_bit : std::uint8_t {
 using state_history = flags<state_history_bit>;
 // clang-format on
 
-} // namespace rtuwire::altivar::compact
-
-namespace rtuwire::inline RTUWIRE_BUILD {
+} // namespace altivar::compact
 
 // clang-format off
 template <>
@@ -335,4 +335,5 @@ inline constexpr auto altivar::words_of<altivar::compact::serial_format> = detai
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

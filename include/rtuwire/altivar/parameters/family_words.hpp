@@ -9,7 +9,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 // clang-format off
 template <>
@@ -49,4 +50,5 @@ inline constexpr auto altivar::words_of<altivar::configuration_fault_bit> = deta
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

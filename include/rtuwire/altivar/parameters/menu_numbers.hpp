@@ -11,7 +11,9 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// A parameter by both of its names.
 struct menu_number {
@@ -70,4 +72,6 @@ private:
     std::span<menu_number const> rows_;
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -16,7 +16,9 @@
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What the word of a parameter is.
 enum class parameter_kind : std::uint8_t { number, signed_number, bits, enumeration };
@@ -110,4 +112,6 @@ template <detail::register_value T> [[nodiscard]] constexpr parameter parameter_
             .gap = from.gap};
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

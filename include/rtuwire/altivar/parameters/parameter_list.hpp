@@ -14,7 +14,9 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/table/table.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Registers of one group; a group is a class of its own that derives from its list, for the sake of short names.
 template <auto const&... Registers> struct parameter_list {
@@ -117,4 +119,6 @@ private:
     }
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

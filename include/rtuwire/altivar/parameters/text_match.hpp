@@ -11,7 +11,9 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// A text of any class, as std::string_view and std::string.
 template <typename Text>
@@ -33,4 +35,6 @@ template <text_with_size Text> [[nodiscard]] constexpr bool is_spelled(literal n
 /// The same of a constant.
 [[nodiscard]] constexpr bool is_spelled(literal name, literal text) noexcept { return name == text; }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -11,7 +11,9 @@
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What is measured.
 /// Internal.
@@ -53,4 +55,6 @@ using centimetres = quantity<distance, std::uint16_t, std::centi>;
 using centimetres_per_second = quantity<travelling_speed, std::uint16_t, std::centi>;
 using tenth_millivolts_per_rpm = quantity<voltage_of_speed, std::uint16_t, std::ratio<1, 10'000>>;
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What happened. Two words, which go in two registers.
 class event {
@@ -92,9 +94,9 @@ enum class action : std::uint64_t {};
     return duration{static_cast<std::uint32_t>(static_cast<std::uint64_t>(of) >> 32U)};
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
 
-namespace rtuwire::inline RTUWIRE_BUILD::detail {
+namespace detail {
 
 constexpr altivar::action with(altivar::action what, std::uint64_t bits, unsigned at) noexcept
 {
@@ -107,9 +109,9 @@ constexpr altivar::action to_write(std::uint16_t address, std::uint16_t word, ef
     return with(with(with(write, static_cast<std::uint64_t>(does), 4), address, 16), word, 32);
 }
 
-} // namespace rtuwire::detail
+} // namespace detail
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace altivar {
 
 [[nodiscard]] constexpr action to_read(std::uint16_t address) noexcept
 {
@@ -160,4 +162,6 @@ inline constexpr action to_end{static_cast<std::uint64_t>(action_kind::end)};
 /// The same write, which fails if it cannot be sent before its drive may have lost its power unnoticed.
 [[nodiscard]] constexpr action in_presence(action write) noexcept { return detail::with(write, 1, 7); }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -15,7 +15,9 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// How it ended.
 enum class outcome_kind : std::uint8_t {
@@ -174,4 +176,6 @@ struct [[nodiscard]] reason {
     return text;
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -15,7 +15,9 @@
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The pause between two reads of a word that has to change.
 inline constexpr duration status_period = milliseconds(50);
@@ -272,4 +274,6 @@ private:
     bool is_known_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

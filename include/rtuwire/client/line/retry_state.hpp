@@ -18,7 +18,8 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/response.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -197,4 +198,5 @@ private:
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

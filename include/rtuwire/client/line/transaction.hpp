@@ -34,7 +34,8 @@
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/response.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -689,4 +690,5 @@ private:
 
 #pragma GCC diagnostic pop
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

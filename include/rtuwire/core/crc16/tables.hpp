@@ -10,7 +10,9 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::crc16_tables {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace crc16_tables {
 
 /// The polynomial, reflected, without its highest power.
 inline constexpr std::uint32_t polynomial = 0xA001;
@@ -132,4 +134,6 @@ inline constexpr std::uint16_t started[] = {shifted(0xFFFF, 0),  shifted(0xFFFF,
     return crc;
 }
 
-} // namespace rtuwire::crc16_tables
+} // namespace crc16_tables
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

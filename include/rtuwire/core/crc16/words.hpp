@@ -18,7 +18,9 @@
 #include <rtuwire/core/crc16/tables.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::crc16_words {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace crc16_words {
 
 /// Whether a word has an odd number of bits set: 1 or 0.
 [[nodiscard]] constexpr std::uint32_t parity_of(std::uint32_t word) noexcept
@@ -162,4 +164,6 @@ private:
     return finish(halved<1>(halved<2>(four))[0], message.parity());
 }
 
-} // namespace rtuwire::crc16_words
+} // namespace crc16_words
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -12,7 +12,9 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// The logic inputs of a drive, LI1 first.
 class logic_inputs {
@@ -114,4 +116,6 @@ private:
     bool is_armed_{false};
 };
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

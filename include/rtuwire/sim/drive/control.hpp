@@ -14,7 +14,9 @@
 #include <rtuwire/sim/drive/channels.hpp>
 #include <rtuwire/sim/drive/state_machine.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// How a motor is stopped; `as_set` is the setting of the register STT.
 enum class stopping : std::uint8_t { none, ramp, fast, freewheel, injection, as_set };
@@ -257,4 +259,6 @@ private:
     bool is_stopped_by_key_{false};
 };
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

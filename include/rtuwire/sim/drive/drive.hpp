@@ -30,7 +30,9 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/views.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// One simulated drive; a register bank. Call `advance` in each pass before the bank is served, and
 /// `note_contact` for each request to this unit.
@@ -420,4 +422,6 @@ private:
     std::int32_t analog_{0}; ///< the reference at the terminals, in mHz
 };
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

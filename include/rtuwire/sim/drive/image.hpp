@@ -23,7 +23,9 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// The words of all registers of a device, initially as commissioned.
 template <device_type Device> class image {
@@ -318,4 +320,6 @@ private:
     }
 };
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -16,7 +16,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/image.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// The EEPROM: what is kept without power, and the orders of CMI that save and restore it, which take time.
 /// Internal.
@@ -242,4 +244,6 @@ template <device_type Device> constexpr void show_active_fault(image<Device>& re
     registers.put(image<Device>::at("DF2"), form.df2);
 }
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

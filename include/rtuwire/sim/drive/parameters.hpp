@@ -19,7 +19,9 @@
 #include <rtuwire/sim/drive/memory.hpp>
 #include <rtuwire/sim/drive/motor.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// The reactions to a lost link, by the values of SLL. With 1, and from 6 on, the drive trips; with 4 it continues at
 /// a speed that no available table has, 0 as delivered.
@@ -292,4 +294,6 @@ constexpr void drive_motor(motor& shaft, demand<Device> const& asked, bool has_p
     }
 }
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -19,7 +19,9 @@
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// The raw count of a register as delivered.
 struct factory_value {
@@ -265,4 +267,6 @@ template <typename Value, std::size_t Count>
     return all;
 }
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

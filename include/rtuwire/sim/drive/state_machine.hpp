@@ -26,7 +26,9 @@
 #include <rtuwire/cia402/transition.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// A state machine that follows commands.
 class state_machine {
@@ -139,4 +141,6 @@ private:
     bool tripped_in_quick_stop_{false};
 };
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

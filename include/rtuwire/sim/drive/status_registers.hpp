@@ -18,7 +18,9 @@
 #include <rtuwire/sim/drive/motor.hpp>
 #include <rtuwire/sim/drive/parameters.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// A drive at one moment, as its registers report it.
 struct appearance {
@@ -152,4 +154,6 @@ constexpr void show_inputs(image<Device>& registers, logic_inputs const& termina
     registers.put(at.inputs, (registers.get(at.inputs) & ~bits) | (terminals.image() & bits));
 }
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

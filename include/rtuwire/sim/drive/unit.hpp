@@ -16,7 +16,9 @@
 #include <rtuwire/sim/drive/drive.hpp>
 #include <rtuwire/sim/drive/image.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 // The registers and facts without which a drive cannot be simulated. What a drive lacks is said in a sentence each; all
 // other registers may be there or not.
@@ -139,4 +141,6 @@ private:
     std::uint32_t requests_{0};
 };
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

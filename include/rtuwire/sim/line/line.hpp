@@ -17,7 +17,9 @@
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/sim/line/random_source.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 // One character on a wire: start bit, data, parity, stop. Bit 0 of a pattern comes first; idle is 1.
 
@@ -357,4 +359,6 @@ private:
     character_format format_;
 };
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -9,7 +9,9 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// A xorshift generator (Marsaglia 2003).
 class random_source {
@@ -46,4 +48,6 @@ private:
     std::uint64_t state_;
 };
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

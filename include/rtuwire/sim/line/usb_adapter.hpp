@@ -13,7 +13,9 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::sim {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace sim {
 
 /// What an adapter's latency timer runs from. With `from_last_packet` it runs all the time, from the packet before on, whether
 /// bytes have come or not, as FTDI's do (AN232B-04); other adapters' timers begin with a byte.
@@ -77,4 +79,6 @@ private:
     std::size_t size_{0};
 };
 
-} // namespace rtuwire::sim
+} // namespace sim
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

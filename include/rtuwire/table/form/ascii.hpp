@@ -17,7 +17,8 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Up to `Capacity` characters from registers, stored in place, without a terminating zero.
 template <std::size_t Capacity> class ascii_text {
@@ -160,4 +161,5 @@ private:
     }
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

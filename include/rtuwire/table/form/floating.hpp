@@ -20,7 +20,8 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -108,4 +109,5 @@ using float32 = detail::floating_form<32, Unit, Order>;
 template <typename Unit = count16, word_order Order = word_order::high_first>
 using float64 = detail::floating_form<64, Unit, Order>;
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -19,7 +19,8 @@
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void this_text_is_longer_than_its_registers();
@@ -145,4 +146,5 @@ template <auto const& R>
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -13,7 +13,8 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// `reg<known<valve>>` holds only what `enumerators<valve>` lists: any other word is `value_without_meaning`, read or
 /// written. `reg<valve>` shows on reading whatever the device sent.
@@ -34,4 +35,5 @@ template <register_enumeration E> struct known {
     [[nodiscard]] static constexpr words to_words(E value) noexcept { return {static_cast<std::uint16_t>(value)}; }
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -15,7 +15,8 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -122,4 +123,5 @@ private:
     template <auto const& F> static constexpr bool contains = (detail::is_same_register<F, Fields> or ...);
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -17,7 +17,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 template <detail::any_quantity Unit, std::floating_point Float> class real;
 
@@ -153,4 +154,5 @@ template <detail::any_real Amount, detail::plain_number Number> constexpr bool o
     return false;
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -16,7 +16,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/form/real.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -227,4 +228,5 @@ template <typename Unit, typename Float> [[nodiscard]] constexpr auto text_of(re
     return text;
 }
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

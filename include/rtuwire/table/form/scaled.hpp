@@ -23,7 +23,8 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -184,4 +185,5 @@ private:
     }
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

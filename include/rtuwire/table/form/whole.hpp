@@ -19,7 +19,8 @@
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
@@ -102,4 +103,5 @@ using unsigned64 = detail::whole_form<std::uint64_t, Unit, Order>;
 template <typename Unit = count16, word_order Order = word_order::high_first>
 using signed64 = detail::whole_form<std::int64_t, Unit, Order>;
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

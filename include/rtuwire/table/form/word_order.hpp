@@ -12,7 +12,8 @@
 
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Where the bytes of a number stand; A is its most significant byte. Of 64 bits, the same goes on: ABCDEFGH,
 /// GHEFCDAB, BADCFEHG, HGFEDCBA.
@@ -73,4 +74,5 @@ template <word_order Order, std::size_t Words>
 
 } // namespace detail
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -16,7 +16,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/trace/traced_frame.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// What a capture puts around each frame; the number is the link type of the file. Modbus RTU has no link type of its
 /// own, so Wireshark finds out what a frame is only from something around it. Only `udp` lets Wireshark tell
@@ -463,4 +464,5 @@ private:
     bool has_begun_{false};
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

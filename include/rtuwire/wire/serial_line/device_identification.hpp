@@ -13,7 +13,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/serial_line_rules.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// Which objects are requested.
 enum class identification_access : std::uint8_t {
@@ -180,4 +181,5 @@ struct read_device_identification {
     friend constexpr bool operator==(read_device_identification const&, read_device_identification const&) = default;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -13,7 +13,8 @@
 #include <rtuwire/wire/serial_line_rules.hpp>
 #include <rtuwire/wire/views.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// A diagnostics request or its response. Made of a block, it owns that block; made of a view, its words are
 /// stored elsewhere.
@@ -220,4 +221,5 @@ struct get_comm_event_log {
     friend constexpr bool operator==(get_comm_event_log const&, get_comm_event_log const&) = default;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -9,7 +9,8 @@
 #include <rtuwire/wire/pdu_fields.hpp>
 #include <rtuwire/wire/serial_line_rules.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The response to function 24: the registers that the queue holds, up to 31.
 struct read_fifo_queue_response {
@@ -115,4 +116,5 @@ struct read_fifo_queue {
     friend constexpr bool operator==(read_fifo_queue const&, read_fifo_queue const&) = default;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -22,7 +22,8 @@
 #include <rtuwire/wire/serial_line_rules.hpp>
 #include <rtuwire/wire/views.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// `count` records of a file from `record` on.
 struct file_run {
@@ -451,4 +452,5 @@ write_file_record(std::uint16_t, std::uint16_t, register_view)->write_file_recor
 template <std::size_t Count>
 write_file_record(std::uint16_t, std::uint16_t, register_block<Count>) -> write_file_record<register_block<Count>>;
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

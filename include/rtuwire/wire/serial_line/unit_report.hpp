@@ -10,7 +10,8 @@
 #include <rtuwire/wire/pdu_fields.hpp>
 #include <rtuwire/wire/serial_line_rules.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The response to function 07: eight outputs, the lowest bit first.
 struct read_exception_status_response {
@@ -142,4 +143,5 @@ struct report_server_id {
     friend constexpr bool operator==(report_server_id const&, report_server_id const&) = default;
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

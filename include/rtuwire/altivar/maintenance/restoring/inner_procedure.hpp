@@ -13,7 +13,9 @@
 #include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// One of three procedures, the one that was begun last.
 class inner_procedure {
@@ -99,4 +101,6 @@ private:
     kind running_{kind::guard};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -12,7 +12,9 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What a step does with its parameters.
 enum class agenda_act : std::uint8_t {
@@ -141,4 +143,6 @@ enum class write_care : std::uint8_t {
     return may_be_rewired ? write_care::all_inputs : may_be_started ? write_care::open_inputs : write_care::rest;
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -10,7 +10,9 @@
 #include <rtuwire/altivar/maintenance/restoring/restore_checks.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The conversation of a restore, which derives from it.
 template <typename Restore> class restore_calls : public restore_checks<Restore> {
@@ -99,4 +101,6 @@ private:
     bool is_unwanted_{false}; ///< it is to be given up at the end of that call
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/altivar/maintenance/restoring/restore_procedures.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The steps of a restore's conversation. `Restore` derives from it, and gets what came of each request by an `on_` function.
 ///
@@ -221,4 +223,6 @@ private:
     bool has_lost_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

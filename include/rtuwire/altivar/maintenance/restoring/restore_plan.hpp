@@ -16,7 +16,9 @@
 #include <rtuwire/altivar/maintenance/restoring/write_dependences.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The parameters of one restore, under the step that its progress has come to.
 template <typename Words, typename Report> class restore_plan {
@@ -223,4 +225,6 @@ private:
     bool wants_any_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -12,7 +12,9 @@
 #include <rtuwire/altivar/maintenance/restoring/restore_requests.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Why a restore ends at a request that failed.
 [[nodiscard]] constexpr reason reason_for(errc error) noexcept
@@ -135,4 +137,6 @@ private:
     bool is_given_up_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

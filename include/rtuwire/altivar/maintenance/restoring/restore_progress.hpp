@@ -13,7 +13,9 @@
 #include <rtuwire/altivar/parameters/parameter.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Some parameters, as far as two such sets can be told apart: their number and a sum over their addresses.
 class row_set {
@@ -195,4 +197,6 @@ private:
     bool is_saved_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -20,7 +20,9 @@
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// A commander of one unit that has a request, a pause, or its end.
 class restore_requests : public detail::commander {
@@ -158,4 +160,6 @@ private:
     bool is_asking_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

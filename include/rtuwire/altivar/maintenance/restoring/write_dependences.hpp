@@ -16,7 +16,9 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The words of TFR, HSP, LSP, INR and INTP: what the drive holds of them, and what it shall hold.
 class write_dependences {
@@ -117,4 +119,6 @@ private:
     std::array<bool, none> is_bound_{};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

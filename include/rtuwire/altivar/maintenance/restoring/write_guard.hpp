@@ -12,7 +12,9 @@
 #include <rtuwire/altivar/procedure/procedure.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Decides the check, word by word. A drive in fault stands, too; a write that needs more care then needs the whole check
 /// of `at_rest_procedure`, which ends this one as it ends.
@@ -98,4 +100,6 @@ private:
     write_care care_{write_care::rest};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

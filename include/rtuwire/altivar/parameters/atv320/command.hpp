@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<no_yes> rin{.code = "RIN", .address = 3108, .mode = access::configuration, .factory = 0, .name = "Reverse direction locked", .source = provenance::inferred};
@@ -29,12 +31,14 @@ inline constexpr reg<two_wire_type> tct{.code = "TCT", .address = 11102, .mode =
 inline constexpr reg<logic_input> rrs{.code = "RRS", .address = 11105, .mode = access::configuration, .name = "Input for reverse running", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Where commands and references come from.
 struct command
     : parameter_list<rin, chcf, cop, rfc, rcb, fr1, fr2, fr1b, ccs, cd1, cd2, flo, floc, flot, tcc, tct, rrs> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<count16> adco{.code = "ADCO", .address = 6051, .mode = access::configuration, .min = {0}, .max = {127}, .factory = 0, .name = "CANopen address", .source = provenance::inferred};
@@ -34,12 +36,14 @@ inline constexpr reg<logic_input> btuc{.code = "BTUC", .address = 6671, .mode = 
 inline constexpr reg<count16> btpi{.code = "BTPI", .address = 6673, .mode = access::configuration, .min = {0}, .max = {9999}, .factory = 0, .name = "Bluetooth PIN", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Lines and networks.
 struct communication : parameter_list<add, tbr, tfo, tto, adco, bdco, adrc, bdr, prc, glb, amoc, bdru, prfl, dpma, cioa,
                                       cio2, btua, btuc, btpi> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<macro_configuration> cfg{.code = "CFG", .address = 3052, .mode = access::configuration, .factory = 0, .name = "Macro configuration", .source = provenance::inferred};
@@ -26,11 +28,13 @@ inline constexpr reg<logic_input> cnf2{.code = "CNF2", .address = 8022, .mode = 
 inline constexpr reg<no_yes> chm{.code = "CHM", .address = 8025, .mode = access::configuration, .factory = 0, .name = "Configurations used for several motors", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Saving and recalling configurations.
 struct configuration : parameter_list<cfg, ccfg, scs, fcs, cnf1, cnf2, chm> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

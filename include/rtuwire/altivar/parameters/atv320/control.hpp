@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<counter_reset> rpr{.code = "RPR", .address = 3120, .factory = 0, .name = "Counter reset", .source = provenance::inferred};
@@ -28,12 +30,14 @@ inline constexpr reg<count16> spfd{.code = "SPFD", .address = 8643, .mode = acce
 inline constexpr reg<quick_stop_end> qstd{.code = "QSTD", .address = 8651, .mode = access::configuration, .factory = 6, .name = "How quick stop stops", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Words that command the drive, and its speed mode.
 struct control : parameter_list<rpr, cmd, lfr, pisp, cmi, lfrd, etad, rfrd, frhd, errd, smil, smal, spal, spat, spdl,
                                 spdt, spfn, spfd, qstd, dotd> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

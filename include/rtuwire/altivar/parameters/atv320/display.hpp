@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<count16> brh{.code = "BRH", .address = 10050, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0, .name = "Brake logic options", .source = provenance::inferred};
@@ -25,11 +27,13 @@ inline constexpr reg<keypad_takeover> bmp{.code = "BMP", .address = 13529, .mode
 inline constexpr reg<count16> ppi{.code = "PPI", .address = 14001, .mode = access::configuration, .min = {0}, .max = {9999}, .factory = 0, .name = "Pairing password", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// The display and its access.
 struct display : parameter_list<brh, fn1, fn2, fn3, fn4, bmp, ppi> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

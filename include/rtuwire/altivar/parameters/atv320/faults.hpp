@@ -16,7 +16,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<no_yes> flr{.code = "FLR", .address = 3110, .mode = access::configuration, .factory = 0, .name = "Catch a spinning load", .source = provenance::inferred};
@@ -59,13 +61,15 @@ inline constexpr reg<deciseconds> tsm{.code = "TSM", .address = 13813, .min = {1
 inline constexpr reg<centiseconds> stm{.code = "STM", .address = 13814, .min = {1}, .max = {6000}, .factory = 100, .name = "Controlled stop: longest time", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Reactions to faults.
 struct faults : parameter_list<flr, strt, erco, ipl, stp, epl, ohl, oll, sll, col, tnl, lfl3, cll, lff, odt, let, lft,
                                atr, tar, rsf, inh, rp, rpa, cic, etf, cnf, ilf1, opl, tht, sat, dld, tld, dlb, ptcl,
                                ures, usl, usb, ust, upl, tbs, tsm, stm> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

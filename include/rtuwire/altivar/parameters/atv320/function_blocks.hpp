@@ -15,7 +15,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<signal_source> ia01{.code = "IA01", .address = 14900, .mode = access::configuration, .factory = 0, .name = "Function block analog input 1", .source = provenance::inferred};
@@ -69,9 +71,9 @@ inline constexpr reg<count16> bns{.code = "BNS", .address = 14992, .mode = acces
 inline constexpr reg<count16> bver{.code = "BVER", .address = 14993, .mode = access::read_only, .min = {0}, .max = {255}, .name = "Function block program version", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Function blocks.
 struct function_blocks : parameter_list<ia01, ia02, ia03, ia04, ia05, ia06, ia07, ia08, ia09, ia10, il01, il02, il03,
@@ -79,4 +81,6 @@ struct function_blocks : parameter_list<ia01, ia02, ia03, ia04, ia05, ia06, ia07
                                         la07, la08, fbst, fbft, fbcd, fbrm, fbsm, fbdf, m001, m002, m003, m004, m005,
                                         m006, m007, m008, s001, s002, s006, bnv, ctv, bns, bver> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -12,7 +12,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<count16> pan0{.code = "PAN0", .address = 3340, .min = {0}, .max = {65535}, .factory = 0, .name = "Device name, characters 1 and 2", .source = provenance::inferred};
@@ -25,11 +27,13 @@ inline constexpr reg<count16> pan6{.code = "PAN6", .address = 3346, .min = {0}, 
 inline constexpr reg<count16> pan7{.code = "PAN7", .address = 3347, .min = {0}, .max = {65535}, .factory = 0, .name = "Device name, characters 15 and 16", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// What drive this is.
 struct identification : parameter_list<ncv, vcal, inv, vdp, pan0, pan1, pan2, pan3, pan4, pan5, pan6, pan7> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<deciamperes> slcr{.code = "SLCR", .address = 3224, .mode = access::read_only, .min = {0}, .max = {65535}, .name = "Motor current, unfiltered", .source = provenance::inferred};
@@ -38,13 +40,15 @@ inline constexpr reg<parameter_set> cfps{.code = "CFPS", .address = 12900, .mode
 inline constexpr reg<hertz> fqs{.code = "FQS", .address = 14603, .mode = access::read_only, .min = {0}, .max = {20000}, .name = "Frequency at the pulse input", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// What the drive shows.
 struct monitoring
     : parameter_list<eta, rfr, frh, lcr, otr, eti, uln, uop, thd, opr, slcr, srfr, sotr, suln, rth, pth, tac, hmis,
                      tac2, lrs1, lrs2, lrs3, lrs4, lrs5, lrs6, lrs7, lrs8, sopr, cnfs, crc, ccc, thr, cfps, fqs> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

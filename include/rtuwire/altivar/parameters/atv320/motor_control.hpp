@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<motor_standard> bfr{.code = "BFR", .address = 3015, .mode = access::configuration, .factory = 0, .name = "Standard motor frequency", .source = provenance::inferred};
@@ -76,9 +78,9 @@ inline constexpr reg<percent> mcr{.code = "MCR", .address = 15607, .mode = acces
 inline constexpr reg<percent> pec{.code = "PEC", .address = 15608, .mode = access::configuration, .min = {0}, .max = {500}, .factory = 0, .name = "Rotor angle error compensation", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// The motor and its control.
 struct motor_control
@@ -87,4 +89,6 @@ struct motor_control
                      lqs, frss, rsas, tqs, u1, f1, u2, f2, u3, f3, u4, f4, u5, f5, svl, sop, fli, flu, boa, ast, vbr,
                      hfi, hir, spb, ilr, sir, mcr, pec> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

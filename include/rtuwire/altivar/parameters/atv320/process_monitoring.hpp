@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<seconds> ult{.code = "ULT", .address = 14411, .mode = access::configuration, .min = {0}, .max = {100}, .factory = 0, .name = "Underload detection delay", .source = provenance::inferred};
@@ -33,12 +35,14 @@ inline constexpr reg<deciseconds> tqb{.code = "TQB", .address = 14608, .mode = a
 inline constexpr reg<hertz> fql{.code = "FQL", .address = 14609, .mode = access::configuration, .min = {0}, .max = {20000}, .factory = 0, .name = "Pulse supervision: warning level", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Load monitoring.
 struct process_monitoring : parameter_list<ult, udl, rmud, lul, lun, tol, odl, fqf, fqc, fqa, tds, fdt, fqt, tqb, fql> {
 };
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<safety_input> slsa{.code = "SLSA", .address = 15300, .mode = access::configuration, .factory = 0, .name = "SLS input", .source = provenance::inferred};
@@ -35,12 +37,14 @@ inline constexpr reg<units::milliseconds> lirt{.code = "LIRT", .address = 15331,
 inline constexpr reg<safety_state> sfty{.code = "SFTY", .address = 15344, .mode = access::read_only, .name = "Safety configured", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Safety functions, as far as the line shows them.
 struct safety : parameter_list<slsa, slt, slsp, sltt, slss, ss1a, ssrt, ssru, sssl, sstt, ss1s, stoa, pwrm, stos, lidt,
                                lirt, sfty> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

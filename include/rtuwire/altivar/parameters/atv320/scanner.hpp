@@ -12,7 +12,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<count16> oma1{.code = "OMA1", .address = 15401, .mode = access::read_only, .min = {0}, .max = {65535}, .factory = 3201, .name = "Card scanner: address of input word 1", .source = provenance::inferred};
@@ -29,13 +31,15 @@ inline constexpr reg<count16> oca5{.code = "OCA5", .address = 15425, .mode = acc
 inline constexpr reg<count16> oca6{.code = "OCA6", .address = 15426, .mode = access::read_only, .min = {0}, .max = {65535}, .factory = 0, .name = "Card scanner: address of output word 6", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// The scanner: words that one request moves.
 struct scanner : parameter_list<nma1, nma2, nma3, nma4, nma5, nma6, nma7, nma8, nca1, nca2, nca3, nca4, nca5, nca6,
                                 nca7, nca8, nm1, nm2, nm3, nm4, nm5, nm6, nm7, nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7,
                                 nc8, oma1, oma2, oma3, oma4, oma5, oma6, oca1, oca2, oca3, oca4, oca5, oca6> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

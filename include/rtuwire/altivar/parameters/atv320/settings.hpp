@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<fan_mode> ffm{.code = "FFM", .address = 3130, .factory = 0, .name = "Fan operation", .source = provenance::inferred};
@@ -29,11 +31,13 @@ inline constexpr reg<signed_percent> tth{.code = "TTH", .address = 11016, .min =
 inline constexpr reg<decihertz> srb{.code = "SRB", .address = 14401, .min = {3}, .max = {5990}, .factory = 3, .name = "Hysteresis of frequency reached", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Everyday settings.
 struct settings : parameter_list<hsp, lsp, ffm, acc, dec, ith, ctd, ttd, ftd, f2d, ttd2, ttd3, tha, ttl, tth, srb> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

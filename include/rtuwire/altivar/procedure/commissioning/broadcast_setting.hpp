@@ -18,7 +18,9 @@
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Registers that must not be set in all drives: commands and references, and what their scanner words stand for; the
 /// command source; the address, rate and format of the link.
@@ -70,4 +72,6 @@ template <device_type Device, std::uint16_t Word>
     return single_request{broadcast, write_single_register{drive_check<Device>::layout.cmi, Word}};
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -18,7 +18,9 @@
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/setting.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// One setting of a channel; an address of 0 leaves it as it is.
 /// Internal.
@@ -315,4 +317,6 @@ public:
     [[nodiscard]] constexpr unsigned written() const noexcept { return told().written(); }
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/altivar/procedure/procedure.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// One of the orders in CMI.
 struct cmi_order {
@@ -158,4 +160,6 @@ private:
     bool was_confirmed_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

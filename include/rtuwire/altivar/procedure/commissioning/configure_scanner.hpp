@@ -17,7 +17,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Registers that the scanner reads, in the order of its input words.
 template <auto const&... Registers> struct scanner_inputs {
@@ -112,4 +114,6 @@ public:
     }
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

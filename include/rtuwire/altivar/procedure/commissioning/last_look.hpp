@@ -11,7 +11,9 @@
 #include <rtuwire/altivar/procedure/procedure.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Decides the look, word by word. It begins with the outcome that the set-up has until now ("so").
 ///
@@ -123,4 +125,6 @@ private:
     stage stage_{stage::looking};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

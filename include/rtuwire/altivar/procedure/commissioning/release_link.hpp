@@ -15,7 +15,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv28 {
 
 /// Control words with bit 15, outside the states of the drive profile.
 /// Internal.
@@ -140,4 +142,6 @@ public:
     {}
 };
 
-} // namespace rtuwire::altivar::atv28
+} // namespace altivar::atv28
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

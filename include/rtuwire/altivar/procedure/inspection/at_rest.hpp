@@ -11,7 +11,9 @@
 #include <rtuwire/altivar/procedure/procedure.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What is known about the wiring of a drive's terminals.
 struct terminal_options {
@@ -153,4 +155,6 @@ private:
     at_rest_rules rules_;
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

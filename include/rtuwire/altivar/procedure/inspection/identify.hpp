@@ -18,7 +18,9 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The basic objects, as text. An object of more than 48 characters is an error, not a shorter text.
 struct identity {
@@ -127,4 +129,6 @@ class identify<Device> : public poller<typename Device::nameplate::template plan
     using poller<typename Device::nameplate::template plan<Device>>::poller;
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -9,7 +9,9 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// How many longest gaps a drive's time-out has to cover: one lost exchange and its repetition still fit.
 /// Internal.
@@ -50,4 +52,6 @@ struct period_rule {
     return exchange * count + silent_unit;
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

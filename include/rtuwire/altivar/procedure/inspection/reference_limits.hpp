@@ -11,7 +11,9 @@
 #include <rtuwire/altivar/procedure/outcome.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What becomes of a reference above HSP, or below LSP of a motor at rest.
 enum class beyond_limits : std::uint8_t {
@@ -97,4 +99,6 @@ struct reference_limits {
     }
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/altivar/procedure/outcome.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// What is read, in this order: a reference beyond the limits needs no more; the channel defines what the others mean.
 enum class safeguard : std::uint8_t {
@@ -197,4 +199,6 @@ private:
     bool is_three_wire_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -15,7 +15,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Decides the check, word by word. It ends as `succeeded` where the drive may be ordered.
 ///
@@ -207,4 +209,6 @@ public:
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return told().report(); }
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

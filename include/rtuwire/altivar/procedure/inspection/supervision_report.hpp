@@ -12,7 +12,9 @@
 #include <rtuwire/altivar/procedure/outcome.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Findings that the user accepts; in a report, those that were found and accepted.
 /// Internal.
@@ -73,4 +75,6 @@ struct supervision_report {
     supervision_risks accepted{};              ///< those that were found and accepted
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

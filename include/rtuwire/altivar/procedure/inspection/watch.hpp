@@ -21,7 +21,9 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// How often a drive is read.
 struct watch_options {
@@ -211,4 +213,6 @@ private:
     bool is_old_{true}; ///< or there was none
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

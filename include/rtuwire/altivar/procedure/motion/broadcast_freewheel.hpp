@@ -15,7 +15,9 @@
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The conversation of that broadcast.
 /// Internal.
@@ -38,4 +40,6 @@ template <device_type Device> [[nodiscard]] constexpr auto broadcast_freewheel()
     return freewheel_request{drive_check<Device>::layout.cmd};
 }
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

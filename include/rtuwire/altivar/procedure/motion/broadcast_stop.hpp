@@ -18,7 +18,9 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// How all drives are stopped.
 struct broadcast_stop_options {
@@ -346,4 +348,6 @@ template <device_type... Device>
 broadcast_stop(broadcast_stop_options const&, station<Device> const&...) -> broadcast_stop<sizeof...(Device)>;
 template <device_type... Device> broadcast_stop(station<Device> const&...) -> broadcast_stop<sizeof...(Device)>;
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Decides a change of the reference, word by word.
 ///
@@ -292,4 +294,6 @@ public:
     {}
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -17,7 +17,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv28 {
 
 /// Control words with bit 15, outside the states of the drive profile: those that run have bits 1 and 3 set, and so
 /// have those that stop.
@@ -339,4 +341,6 @@ public:
     [[nodiscard]] constexpr bool running() const noexcept { return has_done_its_order(); }
 };
 
-} // namespace rtuwire::altivar::atv28
+} // namespace altivar::atv28
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

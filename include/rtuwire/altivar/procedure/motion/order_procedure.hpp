@@ -12,7 +12,9 @@
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// The base of the procedures that order a drive to run. Each is a stop as well, which begins where the order is withdrawn.
 class order_procedure : public stop_procedure {
@@ -130,4 +132,6 @@ private:
     bool is_local_{false};
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

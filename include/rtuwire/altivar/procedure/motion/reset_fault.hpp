@@ -12,7 +12,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Decides a reset, word by word. "Undo" writes 0000, and then ends so: bit 7 is not left high.
 ///
@@ -136,4 +138,6 @@ public:
     {}
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

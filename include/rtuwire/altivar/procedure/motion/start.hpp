@@ -21,7 +21,9 @@
 #include <rtuwire/cia402/next_command.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// Where a start is.
 /// Internal.
@@ -526,4 +528,6 @@ public:
     [[nodiscard]] constexpr bool running() const noexcept { return has_done_its_order(); }
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -22,7 +22,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
 
 /// How the motor comes to rest. Of one that the drive does not have the ramp takes the place, and the outcome says so.
 enum class stop_by : std::uint8_t {
@@ -40,9 +42,9 @@ enum class stop_begin : std::uint8_t {
     look_first, ///< with one read of CHCF, 100 ms at most; then with the word asked for, or with 0000 where that fails
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
 
-namespace rtuwire::inline RTUWIRE_BUILD::detail {
+namespace detail {
 
 /// What a stop asks: it reads one of these, or has its word confirmed.
 enum class stop_asks : std::uint8_t { status, fault, control, frequency, word };
@@ -103,9 +105,9 @@ private:
     bool is_compared_{false};
 };
 
-} // namespace rtuwire::detail
+} // namespace detail
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+namespace altivar {
 
 /// Decides a stop, word by word. Its word is that of the ramp, the quick stop or the freewheel until the motor stands,
 /// then 0000; "in place" are halt and DC injection, which read first and whose word needs power.
@@ -456,4 +458,6 @@ public:
     using procedure_conversation::count_old_readings;
 };
 
-} // namespace rtuwire::altivar
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -8,7 +8,8 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu_fields.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 /// The response to function 65.
 struct double_number_response {
@@ -93,4 +94,5 @@ private:
     }
 };
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

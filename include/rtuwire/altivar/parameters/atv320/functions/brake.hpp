@@ -15,7 +15,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<brake_output> blc{.code = "BLC", .address = 10001, .mode = access::configuration, .name = "Output that controls the brake", .source = provenance::inferred};
@@ -38,12 +40,14 @@ inline constexpr reg<hundredth_percent> lp2{.code = "LP2", .address = 10073, .mo
 inline constexpr reg<signed_deciamperes> cp2{.code = "CP2", .address = 10074, .mode = access::configuration, .min = {-32767}, .max = {32767}, .factory = 0, .name = "Weight sensor point 2: current", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Brake control.
 struct functions_brake
     : parameter_list<blc, ben, brt, bet, bip, bst, bci, tbe, bir, jdc, brr, bed, ttr, pes, lp1, cp1, lp2, cp2> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

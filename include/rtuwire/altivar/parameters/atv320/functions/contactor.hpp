@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<centiseconds> dbs{.code = "DBS", .address = 13101, .min = {5}, .max = {6000}, .factory = 15, .name = "Delay before starting the motor", .source = provenance::inferred};
@@ -26,11 +28,13 @@ inline constexpr reg<contactor_output> llc{.code = "LLC", .address = 13602, .mod
 inline constexpr reg<seconds> lct{.code = "LCT", .address = 13603, .mode = access::configuration, .min = {5}, .max = {999}, .factory = 5, .name = "Time-out of the line contactor", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Contactors.
 struct functions_contactor : parameter_list<dbs, das, rca, occ, les, llc, lct> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<fast_hoisting> hso{.code = "HSO", .address = 12301, .mode = access::configuration, .factory = 0, .name = "High-speed hoisting", .source = provenance::inferred};
@@ -32,11 +34,13 @@ inline constexpr reg<percent> lbc3{.code = "LBC3", .address = 14305, .min = {0},
 inline constexpr reg<units::milliseconds> lbf{.code = "LBF", .address = 14306, .min = {0}, .max = {20000}, .factory = 100, .name = "Load sharing: filter", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// High-speed hoisting and load sharing.
 struct functions_hoisting : parameter_list<hso, cof, cor, osp, scl, tos, rsd, rstl, lba, lbc, lbc1, lbc2, lbc3, lbf> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -15,7 +15,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<logic_input> lc2{.code = "LC2", .address = 9202, .mode = access::configuration, .factory = 0, .name = "Input for the second current limit", .source = provenance::inferred};
@@ -27,11 +29,13 @@ inline constexpr reg<fault_reaction> ssb{.code = "SSB", .address = 9240, .mode =
 inline constexpr reg<units::milliseconds> sto{.code = "STO", .address = 9241, .min = {0}, .max = {9999}, .factory = 1000, .name = "Time in limit before the reaction", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Torque and current limits.
 struct functions_limits : parameter_list<lc2, tla, tlc, taa, intp, ssb, sto> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<count16> val{.code = "VAL", .address = 12901, .min = {0}, .max = {1}, .factory = 0, .name = "Load a parameter set", .source = provenance::inferred};
@@ -81,9 +83,9 @@ inline constexpr reg<count16> s314{.code = "S314", .address = 12984, .min = {0},
 inline constexpr reg<count16> s315{.code = "S315", .address = 12985, .min = {0}, .max = {65535}, .factory = 0, .name = "Parameter set 3: value of register 15", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Parameter sets.
 struct functions_parameter_sets
@@ -92,4 +94,6 @@ struct functions_parameter_sets
                      s115, s201, s202, s203, s204, s205, s206, s207, s208, s209, s210, s211, s212, s213, s214, s215,
                      s301, s302, s303, s304, s305, s306, s307, s308, s309, s310, s311, s312, s313, s314, s315> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<signal_source> pif{.code = "PIF", .address = 11901, .mode = access::configuration, .name = "PI feedback source", .source = provenance::inferred};
@@ -48,12 +50,14 @@ inline constexpr reg<signed_decihertz> rpo{.code = "RPO", .address = 11983, .mod
 inline constexpr reg<deciseconds> prp{.code = "PRP", .address = 11984, .min = {0}, .max = {999}, .factory = 0, .name = "PI reference ramp time", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// The PID regulator.
 struct functions_pid : parameter_list<pif, pif1, pif2, pip1, pip2, pii, pr2, pr4, rpi, rp2, rp3, rp4, pic, rpg, rig,
                                       rdg, pis, fpi, psr, pol, poh, pim, rsl, pau, rpe, rpf, rpc, rpo, prp> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<ramp_adaptation> bra{.code = "BRA", .address = 9003, .mode = access::configuration, .factory = 1, .name = "Deceleration ramp adaptation", .source = provenance::inferred};
@@ -27,11 +29,13 @@ inline constexpr reg<logic_input> rps{.code = "RPS", .address = 9010, .mode = ac
 inline constexpr reg<decihertz> frt{.code = "FRT", .address = 9011, .mode = access::configuration, .min = {0}, .max = {5990}, .factory = 0, .name = "Frequency that selects the second ramp", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Ramps.
 struct functions_ramp : parameter_list<bra, rpt, ta1, ta2, ta3, ta4, rps, frt, ac2, de2, inr> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

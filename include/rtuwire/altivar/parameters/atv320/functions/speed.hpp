@@ -15,7 +15,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<logic_input> spm{.code = "SPM", .address = 8491, .mode = access::configuration, .factory = 0, .name = "Input that stores the reference", .source = provenance::inferred};
@@ -66,9 +68,9 @@ inline constexpr reg<decihertz> hsp3{.code = "HSP3", .address = 15111, .min = {0
 inline constexpr reg<decihertz> hsp4{.code = "HSP4", .address = 15112, .min = {0}, .max = {5990}, .name = "High speed 4", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Preset speeds, jogging and other references.
 struct functions_speed
@@ -76,4 +78,6 @@ struct functions_speed
                      sp9, sp10, sp11, sp12, sp13, sp14, sp15, sp16, usp, dsp, str, srp, usi, dsi, tls, sa2, sa3, da2,
                      da3, ma2, ma3, mfr, sh2, sh4, hsp2, hsp3, hsp4> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<auto_injection> adc{.code = "ADC", .address = 10401, .name = "Automatic DC injection", .source = provenance::inferred};
@@ -41,12 +43,14 @@ inline constexpr reg<centimetres> std{.code = "STD", .address = 12521, .mode = a
 inline constexpr reg<percent> sfd{.code = "SFD", .address = 12522, .mode = access::configuration, .min = {50}, .max = {200}, .factory = 100, .name = "Stop distance correction", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Stopping and DC injection.
 struct functions_stop : parameter_list<adc, tdc1, tdc2, stt, nst, dci, fst, tdc, tdi, fft, dcf, saf, sar, daf, dar, dsf,
                                        pas, cls, sal, dal, nls, std, sfd> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<logic_input> trc{.code = "TRC", .address = 12201, .mode = access::configuration, .factory = 0, .name = "Input that enables traverse control", .source = provenance::inferred};
@@ -32,11 +34,13 @@ inline constexpr reg<contactor_output> ebo{.code = "EBO", .address = 12213, .mod
 inline constexpr reg<contactor_output> tsy{.code = "TSY", .address = 12214, .mode = access::configuration, .name = "Output that synchronises the wobble", .source = provenance::doubtful};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Traverse control.
 struct functions_traverse : parameter_list<trc, trh, trl, qsh, qsl, tup, tdn, tbo, rtr, dtf, snc, ebo, tsy> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

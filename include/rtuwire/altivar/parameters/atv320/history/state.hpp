@@ -12,7 +12,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<status_word> ep0{.code = "EP0", .address = 7210, .mode = access::read_only, .name = "Status word at the most recent fault", .source = provenance::inferred};
@@ -45,13 +47,15 @@ inline constexpr reg<command_word> cmp8{.code = "CMP8", .address = 7238, .mode =
 inline constexpr reg<count16> fnb{.code = "FNB", .address = 7393, .mode = access::read_only, .min = {0}, .max = {65535}, .name = "Number of faults", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// States at past faults.
 struct history_state
     : parameter_list<dp0, dp1, dp2, dp3, dp4, dp5, dp6, dp7, dp8, ep0, ep1, ep2, ep3, ep4, ep5, ep6, ep7, ep8, ip0, ip1,
                      ip2, ip3, ip4, ip5, ip6, ip7, ip8, cmp0, cmp1, cmp2, cmp3, cmp4, cmp5, cmp6, cmp7, cmp8, fnb> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -12,7 +12,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<signed_deciamperes> lcp0{.code = "LCP0", .address = 7240, .mode = access::read_only, .min = {-32767}, .max = {32767}, .name = "Motor current at the most recent fault", .source = provenance::inferred};
@@ -98,9 +100,9 @@ inline constexpr reg<hertz> sfp7{.code = "SFP7", .address = 7367, .mode = access
 inline constexpr reg<hertz> sfp8{.code = "SFP8", .address = 7368, .mode = access::read_only, .min = {0}, .max = {65535}, .name = "Switching frequency at fault 8 back", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Measurements at past faults.
 struct history_values
@@ -111,4 +113,6 @@ struct history_values
                      tjp1, tjp2, tjp3, tjp4, tjp5, tjp6, tjp7, tjp8, sfp0, sfp1, sfp2, sfp3, sfp4, sfp5, sfp6, sfp7,
                      sfp8> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

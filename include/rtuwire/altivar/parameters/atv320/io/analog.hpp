@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<analog_type> ai1t{.code = "AI1T", .address = 4402, .mode = access::configuration, .factory = 1, .name = "AI1 type", .source = provenance::inferred};
@@ -52,13 +54,15 @@ inline constexpr reg<signed_count16> aiv2{.code = "AIV2", .address = 5283, .mode
 inline constexpr reg<signal_source> aic2{.code = "AIC2", .address = 5284, .mode = access::configuration, .factory = 0, .name = "Source of virtual analog input 2", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Analog inputs and outputs.
 struct analog_io : parameter_list<ai1t, ai2t, ai3t, uil1, uil2, uih1, uih2, crl3, crh3, ai1f, ai2f, ai3f, ai1e, ai2e,
                                   ai3e, ai1s, ai2s, ai3s, ai1l, ai2l, ai3l, ao1t, ao1f, uol1, uoh1, aol1, aoh1, asl1,
                                   ash1, ao1, aiv1, aiv2, aic2> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<units::milliseconds> l1d{.code = "L1D", .address = 4001, .mode = access::configuration, .min = {0}, .max = {200}, .factory = 0, .name = "LI1 switch-on delay", .source = provenance::inferred};
@@ -47,12 +49,14 @@ inline constexpr reg<decahertz> pfr{.code = "PFR", .address = 13303, .mode = acc
 inline constexpr reg<units::milliseconds> pfi{.code = "PFI", .address = 13304, .mode = access::configuration, .min = {0}, .max = {1000}, .factory = 0, .name = "Pulse input: filter", .source = provenance::inferred};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
+namespace altivar::atv320::groups {
 
 /// Logic inputs and outputs, and relays.
 struct logic_io : parameter_list<l1d, l2d, l3d, l4d, l5d, l6d, la1d, la2d, r1s, r2s, lo1s, r1h, r2h, lo1h, r1d, r2d,
                                  lo1d, do1s, do1h, do1d, r1, r2, lo1, do1, il1r, ol1r, pil, pfr, pfi> {};
 
-} // namespace rtuwire::altivar::atv320::groups
+} // namespace altivar::atv320::groups
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<deciamperes> sdc1{.code = "SDC1", .address = 10403, .mode = access::read_only, .name = "Automatic DC injection: first current", .source = provenance::doubtful};
@@ -39,9 +41,9 @@ inline constexpr reg<deciamperes> ibra{.code = "IBRA", .address = 10075, .mode =
 inline constexpr reg<deciamperes> clo{.code = "CLO", .address = 12302, .mode = access::read_only, .name = "Current limit at high speed", .source = provenance::doubtful};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
+namespace altivar::atv320::unverified {
 
 /// Stopping and DC injection.
 struct functions_stop : parameter_list<sdc1, sdc2, idc, idc2, mstp, prst> {};
@@ -58,4 +60,6 @@ struct functions_brake : parameter_list<ibr, ird, ibra> {};
 /// High-speed hoisting and load sharing.
 struct functions_hoisting : parameter_list<clo> {};
 
-} // namespace rtuwire::altivar::atv320::unverified
+} // namespace altivar::atv320::unverified
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -14,7 +14,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<no_yes> aof1{.code = "AOF1", .address = 4293, .mode = access::read_only, .name = "AO1 fallback", .source = provenance::doubtful};
@@ -44,9 +46,9 @@ inline constexpr reg<encoder_signals> ens{.code = "ENS", .address = 5608, .mode 
 inline constexpr reg<count16> puc{.code = "PUC", .address = 5611, .mode = access::read_only, .name = "Encoder pulse count", .source = provenance::doubtful};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
+namespace altivar::atv320::unverified {
 
 /// Analog inputs and outputs.
 struct analog_io : parameter_list<aof1, ai1i, ai2i, ai3i, ai1r, ai2r, ai3r, ai1c, ai2c, ai3c, ao1i, ao1r, ao1c, sai1,
@@ -55,4 +57,6 @@ struct analog_io : parameter_list<aof1, ai1i, ai2i, ai3i, ai1r, ai2r, ai3r, ai1c
 /// Logic inputs and outputs, and relays.
 struct logic_io : parameter_list<r1f, r2f, lo1f, il1i, pgi, enu, ens, puc> {};
 
-} // namespace rtuwire::altivar::atv320::unverified
+} // namespace altivar::atv320::unverified
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

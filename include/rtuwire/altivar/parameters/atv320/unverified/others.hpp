@@ -18,7 +18,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<signed_count16> mmf{.code = "MMF", .address = 3219, .mode = access::read_only, .name = "Measured motor frequency", .source = provenance::doubtful};
@@ -104,9 +106,9 @@ inline constexpr reg<product_state> hs7{.code = "HS7", .address = 7327, .mode = 
 inline constexpr reg<product_state> hs8{.code = "HS8", .address = 7328, .mode = access::read_only, .name = "Product state at fault 8 back", .source = provenance::doubtful};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
+namespace altivar::atv320::unverified {
 
 /// What the drive shows.
 struct monitoring : parameter_list<mmf, frht, aph, unt, ntj, stfr, fro, hsc> {};
@@ -143,4 +145,6 @@ struct safety : parameter_list<slwt, saf1, sf00, sf01, sf02, sf03, sf04, sf05, s
 struct history_state
     : parameter_list<crp0, crp1, crp2, crp3, crp4, crp5, crp6, crp7, crp8, hs1, hs2, hs3, hs4, hs5, hs6, hs7, hs8> {};
 
-} // namespace rtuwire::altivar::atv320::unverified
+} // namespace altivar::atv320::unverified
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<count16> sr11{.code = "SR11", .address = 7401, .mode = access::read_only, .name = "Safety register SAF1, record 1", .source = provenance::doubtful};
@@ -74,9 +76,9 @@ inline constexpr reg<count16> sre7{.code = "SRE7", .address = 7467, .mode = acce
 inline constexpr reg<count16> sre8{.code = "SRE8", .address = 7468, .mode = access::read_only, .name = "Safety register SF04, record 8", .source = provenance::doubtful};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
+namespace altivar::atv320::unverified {
 
 /// Records of the safety functions, first part.
 struct history_safety_1
@@ -85,4 +87,6 @@ struct history_safety_1
                      src1, src2, src3, src4, src5, src6, src7, src8, srd1, srd2, srd3, srd4, srd5, srd6, srd7, srd8,
                      sre1, sre2, sre3, sre4, sre5, sre6, sre7, sre8> {};
 
-} // namespace rtuwire::altivar::atv320::unverified
+} // namespace altivar::atv320::unverified
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -13,7 +13,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<count16> srf1{.code = "SRF1", .address = 7471, .mode = access::read_only, .name = "Safety register SF05, record 1", .source = provenance::doubtful};
@@ -74,9 +76,9 @@ inline constexpr reg<count16> srl7{.code = "SRL7", .address = 7537, .mode = acce
 inline constexpr reg<count16> srl8{.code = "SRL8", .address = 7538, .mode = access::read_only, .name = "Safety register SF11, record 8", .source = provenance::doubtful};
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320
+} // namespace altivar::atv320
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
+namespace altivar::atv320::unverified {
 
 /// Records of the safety functions, second part.
 struct history_safety_2
@@ -85,4 +87,6 @@ struct history_safety_2
                      srj1, srj2, srj3, srj4, srj5, srj6, srj7, srj8, srk1, srk2, srk3, srk4, srk5, srk6, srk7, srk8,
                      srl1, srl2, srl3, srl4, srl5, srl6, srl7, srl8> {};
 
-} // namespace rtuwire::altivar::atv320::unverified
+} // namespace altivar::atv320::unverified
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

@@ -9,7 +9,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320_values {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320_values {
 
 // clang-format off
 /// An input, or a state of the drive, that switches a function.
@@ -49,15 +51,13 @@ enum class logic_source : std::uint16_t {
 };
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320_values
+} // namespace altivar::atv320_values
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace altivar::atv320 {
 
 using namespace atv320_values;
 
-} // namespace rtuwire::altivar::atv320
-
-namespace rtuwire::inline RTUWIRE_BUILD {
+} // namespace altivar::atv320
 
 // clang-format off
 template <>
@@ -196,4 +196,5 @@ inline constexpr auto meanings<altivar::atv320_values::logic_source> = detail::n
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -10,7 +10,9 @@
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/flags.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320_values {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320_values {
 
 // clang-format off
 /// Where the configuration is saved.
@@ -84,15 +86,13 @@ enum class save_word_bit : std::uint8_t {
 using save_word = flags<save_word_bit>;
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320_values
+} // namespace altivar::atv320_values
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace altivar::atv320 {
 
 using namespace atv320_values;
 
-} // namespace rtuwire::altivar::atv320
-
-namespace rtuwire::inline RTUWIRE_BUILD {
+} // namespace altivar::atv320
 
 // clang-format off
 template <>
@@ -199,4 +199,5 @@ inline constexpr auto meanings<altivar::atv320_values::save_word_bit> = detail::
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -11,7 +11,9 @@
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/flags.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320_values {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320_values {
 
 // clang-format off
 /// Which counter is set to zero.
@@ -117,9 +119,9 @@ enum class state_word_8_bit : std::uint8_t {
 using state_word_8 = flags<state_word_8_bit>;
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320_values
+} // namespace altivar::atv320_values
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace altivar::atv320 {
 
 /// What a register may point at: an input, a measurement, a reference.
 using signal_source = reference_channel;
@@ -129,9 +131,7 @@ using fault_reaction = link_lost_reaction;
 
 using namespace atv320_values;
 
-} // namespace rtuwire::altivar::atv320
-
-namespace rtuwire::inline RTUWIRE_BUILD {
+} // namespace altivar::atv320
 
 // clang-format off
 template <>
@@ -253,4 +253,5 @@ inline constexpr auto meanings<altivar::atv320_values::state_word_8_bit> = detai
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

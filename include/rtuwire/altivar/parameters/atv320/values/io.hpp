@@ -10,7 +10,9 @@
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/flags.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320_values {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320_values {
 
 // clang-format off
 /// What an analog input or output works with.
@@ -45,15 +47,13 @@ enum class output_image_bit : std::uint8_t {
 using output_image = flags<output_image_bit>;
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320_values
+} // namespace altivar::atv320_values
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace altivar::atv320 {
 
 using namespace atv320_values;
 
-} // namespace rtuwire::altivar::atv320
-
-namespace rtuwire::inline RTUWIRE_BUILD {
+} // namespace altivar::atv320
 
 // clang-format off
 template <>
@@ -102,4 +102,5 @@ inline constexpr auto meanings<altivar::atv320_values::output_image_bit> = detai
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

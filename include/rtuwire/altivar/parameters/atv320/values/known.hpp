@@ -9,7 +9,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
 
 // clang-format off
 template <>
@@ -94,4 +95,5 @@ inline constexpr auto altivar::words_of<altivar::atv320::serial_format> = detail
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire

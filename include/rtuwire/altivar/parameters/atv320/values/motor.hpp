@@ -9,7 +9,9 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320_values {
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar::atv320_values {
 
 // clang-format off
 /// Whose data the motor model uses.
@@ -88,15 +90,13 @@ enum class tuning_temperature : std::uint16_t {
 };
 // clang-format on
 
-} // namespace rtuwire::altivar::atv320_values
+} // namespace altivar::atv320_values
 
-namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
+namespace altivar::atv320 {
 
 using namespace atv320_values;
 
-} // namespace rtuwire::altivar::atv320
-
-namespace rtuwire::inline RTUWIRE_BUILD {
+} // namespace altivar::atv320
 
 // clang-format off
 template <>
@@ -223,4 +223,5 @@ inline constexpr auto meanings<altivar::atv320_values::tuning_temperature> = det
 });
 // clang-format on
 
+} // namespace RTUWIRE_BUILD
 } // namespace rtuwire
