@@ -164,6 +164,34 @@ TEST_CASE("rule 37: a stop of everyone under way holds again behind release_all,
     CHECK(it.runs(one) == errc::none);
 }
 
+TEST_CASE("rule 37: a stop of everyone holds all units behind the end of another one, up to its own")
+{
+    for (bool const sees_the_end : {false, true}) { // it visits in the pass in which the other one ends, or not
+        command_desk<1> it;
+        hand_commander one{3};
+        hand_for_all all{9}, other{10};
+        begin(it, all);
+        begin(it, other);
+        other.note_stop_over();
+        it.see(other);
+        if (sees_the_end) {
+            it.see(all);
+        }
+        it.pass(1);
+        if (not sees_the_end) {
+            it.see(all);
+        }
+        for (unsigned pass = 0; pass < 3; ++pass) {
+            CHECK(it.runs(one) == errc::overruled); // it visits before the stop
+            it.see(all);
+            it.pass(1);
+        }
+        end(it, all);
+        it.see(one);
+        CHECK(it.runs(one) == errc::none);
+    }
+}
+
 TEST_CASE("rule 38: what was taken for a unit and has not left does not leave once a stop of it has begun by a read")
 {
     for (unsigned const stopped : {3U, 4U}) {

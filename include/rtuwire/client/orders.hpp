@@ -243,8 +243,9 @@ public:
                 note_none_counts();
             }
         }
-        if (who.is_stopping_ and holder_of_all_ == 0) { // it was released, and still visits
+        if (who.is_stopping_ and (holder_of_all_ == 0 or is_all_over_)) { // it was released, or outlives another one
             holder_of_all_ = who.stamp_;
+            is_all_over_ = false;
         }
         if (who.is_stopping_) {
             all_seen_ = step_of(now);
@@ -674,6 +675,7 @@ private:
     {
         if (is_all_over_) {
             holder_of_all_ = 0;
+            is_all_over_ = false; // another stop of all units may hold from here on
         }
         let_go_if_over(places_.others());
         for (unit_order& each : places_) {
