@@ -121,7 +121,7 @@ template <typename Link, typename Device, typename Make> void use_again(fate wha
     CHECK_FALSE(says_used_already(conversation));
     it.sent.clear();
     for (unsigned visit = 0; visit < 5; ++visit) {
-        it.step([&](instant now) { it.visit(conversation, now); }, milliseconds(300));
+        it.step([&](instant now) { it.visit(conversation, now); }, milliseconds(9'000)); // behind its drive's time-out
         CHECK(conversation.settled());
         CHECK(says_used_already(conversation));
     }

@@ -238,6 +238,25 @@ TEST_CASE("motion law: a halt that may not look becomes the ramp within a second
     CHECK_FALSE(it.has_power());
 }
 
+TEST_CASE("motion law: a stop that has ended says nothing more, also where its unit's own time-out has passed")
+{
+    using device = atv320::device;
+    for (stop_by const how : {stop_by::ramp, stop_by::quick_stop, stop_by::freewheel, stop_by::halt}) {
+        hall<device> it;
+        start go{it.motor, 40_Hz};
+        REQUIRE(
+            it.run([&](instant at) { it.link().converse(go, at); }, [&] { return go.settled(); }, milliseconds(3'000)));
+        stop rest{it.motor, how};
+        auto const work = [&](instant at) { it.link().converse(rest, at); };
+        REQUIRE(it.run(
+            work, [&] { return rest.settled(); }, milliseconds(9'000)));
+        std::size_t const before = it.requests();
+        it.pass(work, milliseconds(40'000));
+        CHECK(it.requests() == before);
+        CHECK(rest.settled());
+    }
+}
+
 TEST_CASE("motion law: who commands a drive does not wait for the health of another one in its slot")
 {
     using device = atv320::device;

@@ -128,6 +128,9 @@ public:
 
     constexpr std::optional<request_frame> next() noexcept
     {
+        if (settled()) {
+            return std::nullopt; // whatever befell its unit since
+        }
         if (not is_looking() and has_to_look()) {
             begin_look(); // it was heard of only now that what was read counts no more
             return std::nullopt;
