@@ -8,6 +8,7 @@
 #include "support/proof.hpp"
 
 #include <rtuwire/altivar/maintenance/backup.hpp>
+#include <rtuwire/client/needs.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -46,6 +47,10 @@ constexpr bool restore_tells_all()
 }
 
 } // namespace
+
+/// A client without one of its functions is refused, and does not take it for a silent drive.
+static_assert(not rtuwire::detail::has_what_it_asks<function_list<read_holding_registers, write_single_register>,
+                                                    altivar::restore_requests>());
 
 PROOF("a backup tells each parameter once, evaluated by the compiler", backup_tells_all)
 PROOF("a restore tells each parameter once, evaluated by the compiler", restore_tells_all)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The requests of a restore, as a client has to know them: one at a time, a block or a word to read, a word to write, a
-// pause between. What follows from a response, the class above decides.
+// pause between. What follows from a response, `restore` decides, which derives from this.
 // Internal: may change with any version.
 #pragma once
 
@@ -29,6 +29,8 @@ class restore_requests : public detail::commander {
 public:
     static constexpr conversation_properties properties{.urgency = detail::urgency::stop_of_unit,
                                                         .freshness = freshness::when_free};
+    static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register,
+                                       function_code::encapsulated_interface};
 
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
 
