@@ -144,7 +144,7 @@ protected:
         return is_doubtful_ ? confirmed_ : std::uint16_t{0};
     }
     [[nodiscard]] constexpr bool is_doubtful() const noexcept { return is_doubtful_; }
-    /// The same whether it may have been or not.
+    /// The same, doubtful or not.
     [[nodiscard]] constexpr std::uint16_t last_confirmed() const noexcept { return confirmed_; }
 
     /// A stop request that may not be sent now counts as `none`: no other conversation waits for it.

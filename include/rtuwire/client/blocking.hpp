@@ -168,9 +168,10 @@ public:
     void release_all() noexcept requires(Needs.motors != 0) { client_.release_all(); }
 
     /// Runs a conversation until it is settled, and returns its `outcome()`; where it has none, its `reason()`; where it
-    /// has neither, a `result<void>`. Of a conversation without a name, whose response would end with the statement, only
-    /// the error. One that is already settled begins anew, by its `again()`. Errors besides its own: `used_already` where it
-    /// has none; those of the port: the request under way is then cancelled, and the conversation itself gets that as its
+    /// has neither, a `result<void>`. Of a conversation without a name whose outcome is a view of its response
+    /// (`single_request`), only the error: the response ends with the statement. One whose outcome is a value gives it.
+    /// One that is already settled begins anew, by its `again()`. Errors besides its own: `used_already` where it has
+    /// none; those of the port: the request under way is then cancelled, and the conversation itself gets that as its
     /// outcome.
     template <typename Conversation>
         requires conversation<std::remove_cvref_t<Conversation>>

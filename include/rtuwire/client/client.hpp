@@ -39,7 +39,7 @@ inline namespace RTUWIRE_BUILD {
 /// Sends one request at a time, for any number of conversations. In each pass call `receive` with what arrived, `sent`
 /// when the last stop bit has left, `advance`; then `converse` for each conversation, in the same order; then send
 /// what `poll_transmit` returns. Sleep no longer than until `poll_deadline`. Whoever comes later, even by
-/// hours, finds over what was in force: a program may be stopped, and a client left unused, for any time.
+/// hours, finds the times of before over: a program may be stopped, and a client left unused, for any time.
 ///
 /// Lifetimes: a conversation may be destroyed, moved or begun anew between any two calls. A request, and each
 /// repetition of it, leaves only in a pass in which its conversation visits (`converse` is called for it); the bytes
@@ -47,7 +47,7 @@ inline namespace RTUWIRE_BUILD {
 /// goes to the conversation that asked, or is dropped. A client may be assigned, or made anew in its place: what its
 /// conversations asked and ordered before is over, and they may ask and order anew. A copy is another client: it sends
 /// nothing that its original was asked, and counts none of its orders; it knows which motors these may have left running,
-/// and holds what stops held: a stop that goes on at the copy ends its hold, `release` that of one that does not.
+/// and holds what stops held: a stop that visits the copy ends its hold there; for one that does not, call `release`.
 ///
 /// `Needs` is the constant that says what it is for: see `client_needs`. `client`, `drive_client`, `static_client` and
 /// `host_client` are names for the frequent ones.
@@ -88,8 +88,8 @@ public:
         sent(at, [](instant) {});
     }
 
-    /// The same. `judge` is called with the time by which what was in force before is to be judged, where the program was
-    /// stopped since the latest `advance`.
+    /// The same. Where the program was stopped since the latest `advance`, `judge` gets the time by which the times that
+    /// were in force are judged.
     /// Internal.
     constexpr void sent(instant at, auto judge) noexcept
     {
@@ -184,7 +184,8 @@ public:
     /// Whether it was this conversation that asked last.
     [[nodiscard]] constexpr bool is_asked_by(asker const& who) const noexcept { return turns_.is_own(who); }
 
-    /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`. A write may have taken
+    /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`, which its conversation takes at
+    /// its next visit: no deadline tells of that. A write may have taken
     /// effect all the same. A frame that is leaving leaves whole, and a broadcast gets its turnaround; the outcome
     /// comes then.
     constexpr void cancel(instant now) noexcept
@@ -387,8 +388,9 @@ private:
     static constexpr bool may_visit = Orders::is_kept or not(detail::commanding_conversation<Conversation> or
                                                              detail::stops_by_broadcast<Conversation>);
 
-    /// A time limit begins `now`, or has begun. Where the latest `advance` was long ago, time passes before: else the next
-    /// one, behind another pause, would judge it by that. The latest may have been later than `now`, by `ahead`.
+    /// Before a time limit begins: where the latest `advance` was more than a second ago, time passes first. Else the next
+    /// one, behind a second pause, would judge the new limit from before the first. The latest `advance` may have been later
+    /// than `now`, by `ahead`.
     constexpr void keep_up(instant now, duration ahead, auto judge) noexcept
     {
         constexpr duration longest_pass{std::uint32_t{1} << 20U};
@@ -439,8 +441,8 @@ private:
         }
     }
 
-    /// The outcome of the request. A missing response is noted, whatever becomes of the asker: a request that is not
-    /// waited for has also fed its unit's watchdog.
+    /// The outcome of the request. A missing response is noted, whatever becomes of the asker (but see `give_up`): a request
+    /// that is not waited for has also fed its unit's watchdog.
     constexpr result<response> take_outcome(instant now) noexcept
     {
         orders_.note_outcome(asked_unit(), transaction_.heard_of_unit(), transaction_.was_repeated(), now);

@@ -13,15 +13,16 @@
 // its visits for 0.5 s it counts as given up, and refuses no other's words that stop. Where there is no place for its unit it
 // holds all units without a place, and every such stop sends its requests: the client does not know whose unit is held.
 //
-// Losses. A *loss* is a missing response, beyond those that its commander tolerates, of a unit that is ordered or that a
-// stop holds: another controller may have ordered it, or this one before it was switched off. So is, while a stop of all
-// units is broadcast, an ordered unit that no stop of its own follows: nobody would see whether it heard. So is an ordered
-// unit that nobody's order or stop holds any more, because its stop was given up or released, because one broadcast of
-// `broadcast_freewheel` was all that it was told, because the order that replaced its own ended before it sent a word, or
-// because its order is over and the motor may run all the same: reads alone would keep it running. Then, for
-// 2 s at most, only stop requests go to that unit. After that it gets no request of any conversation, until the drive's own
-// time-out and 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins meanwhile
-// has 2 s for its requests, from the first one on. A response to one of them ends the loss; the order stays cancelled.
+// Losses. A *loss* is a request that ended without a response, also one for which the line was never free, beyond those that
+// its commander tolerates, of a unit that is ordered or that a stop holds: another controller may have ordered it, or this
+// one before it was switched off. So is, while a stop of all units is broadcast, an ordered unit that no stop of its own
+// follows: nobody would see whether it heard. So is an ordered unit that nobody's order or stop holds any more, because its
+// stop was given up or released, because one broadcast of `broadcast_freewheel` was all that it was told, because the order
+// that replaced its own ended before it sent a word, or because its order is over and the motor may run all the same: reads
+// alone would keep it running. Then, for 2 s at most, only stop requests go to that unit. After that it gets no request of
+// any conversation, until the drive's own time-out and 1 s more have passed since the last of them: it has stopped by itself
+// if it can. A stop that begins meanwhile has 2 s for its requests, from the first one on. A response to one of them ends
+// the loss; the order stays cancelled.
 #pragma once
 
 #include <cstddef>
@@ -50,11 +51,11 @@ inline constexpr duration stop_words_after_loss = milliseconds(2'000);
 inline constexpr std::uint16_t longest_absence = 8;
 inline constexpr std::uint8_t most_passes_missed = 4;
 
-/// An ordered unit that nobody's order or stop holds is lost behind so many answers to others than commanders: before, a
+/// Nobody's order or stop holds an ordered unit: it is lost behind so many answers to others than commanders. Before, a
 /// commander's look may still show that it has no power, or that its order replaces the one before.
 inline constexpr std::uint8_t most_answers = 3;
-/// And behind so many answers in all, of which one to a commander counts as five: 51 of these are more than any order needs
-/// before its first word.
+/// Or where its answers have made so many points, of which one to a commander makes five: 51 of these are more than any
+/// order needs before its first word.
 inline constexpr std::uint32_t most_looks = 255, look_of_a_commander = 5;
 
 /// Of a unit whose type is not the declared one: the longest time-out of any drive, and 1 s more.
@@ -314,7 +315,7 @@ public:
     }
 
     /// The outcome of a request of any conversation to a unit; where the client repeated it by itself, a missing
-    /// response is no longer tolerated. A `cancelled` request never left: it tells nothing of its unit.
+    /// response is no longer tolerated. One that ended as `cancelled` tells nothing of its unit: it never left.
     constexpr void note_outcome(std::uint8_t unit, errc error, bool was_repeated, instant now) noexcept
     {
         unit_order* const own = places_.find(unit);
@@ -391,7 +392,8 @@ public:
         }
     }
 
-    /// Lets time pass. Returns whether a silence is over. `is_asked`: a request to `asked` is under way.
+    /// Lets time pass. Returns whether a silence is over. `is_asked`: a request to `asked` is under way, or its outcome not
+    /// taken yet.
     constexpr bool advance(instant now, bool is_asked, std::uint8_t asked) noexcept
     {
         let_go_of_ended();
@@ -743,7 +745,8 @@ private:
 
     /// The unit may have lost its power where it was not heard for long. Behind its own time-out no order to run counts any
     /// more: where nothing was on the line to it for as long, it has stopped by itself; else a request may have reached it
-    /// whose response did not come, and it may run on. `is_asked`: a request to it is under way, which left in time.
+    /// whose response did not come, and it may run on. `is_asked`: a request to it is under way; one that was taken within
+    /// the last second left in time.
     [[gnu::noinline]] constexpr void heed_gap(unit_order& own, instant now, bool is_asked) noexcept
     {
         constexpr duration behind = milliseconds(1'000); // a clock may be, a little
@@ -798,7 +801,7 @@ private:
         return static_cast<std::uint16_t>(at.microseconds >> 16U);
     }
 
-    /// A pass without a visit. Returns whether it makes a stop one that was given up; once.
+    /// A pass without a visit. True once: when the stop counts as given up.
     static constexpr bool has_missed(std::uint8_t& passes_left, std::uint16_t seen, instant now) noexcept
     {
         bool const is_short = static_cast<std::uint16_t>(step_of(now) - seen) < longest_absence;

@@ -326,7 +326,7 @@ public:
     /// it at another size, where by chance its CRC is right, too.
     [[nodiscard]] constexpr bool matches_size_hint() const noexcept { return rule_at_ == 0 or rule_at_ == end_; }
 
-    /// Whether the last frame had the smallest size, and began with this request's unit and function.
+    /// Whether the last frame had the smallest size of a frame or more, and began with this request's unit and function.
     [[nodiscard]] constexpr bool looks_addressed_to(memory const& in, byte_view request) const noexcept
     {
         std::byte const* const start = in.bytes.data() + place_.begin();

@@ -43,7 +43,7 @@ template <auto const& R> struct typed_place {
     static constexpr std::size_t size = R.word_count;
     [[nodiscard]] static constexpr result<value_of<R>> value(register_view words, std::size_t index) noexcept
     {
-        return value_in<R>(words, index, index);
+        return value_in<R>(words, index, index); // the second: of a scale, which it has not
     }
 };
 

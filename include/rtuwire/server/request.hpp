@@ -22,7 +22,7 @@ inline namespace RTUWIRE_BUILD {
 namespace detail {
 
 /// Holds a request PDU, then its response. A function that responds first reads what it needs of `bytes`, then writes
-/// into them and sets `size`; for an error, `respond_in_place` does that.
+/// into them and sets `size`; for an error, `execute` does that.
 struct pdu_buffer {
     std::span<std::byte, max_pdu_size> bytes;
     std::size_t size; ///< of the request, then of the response: 0 where none is due
@@ -49,7 +49,7 @@ struct request_head {
     }
 };
 
-/// The registers that a request of function 03, 06, 16 or 23 reads and writes. A half that the function does not have
+/// The registers that a request of function 03, 04, 06, 16 or 23 reads and writes. A half that the function does not have
 /// has quantity 0.
 struct register_access {
     register_view values{}; ///< a view of the request's bytes
@@ -97,7 +97,7 @@ struct register_access {
     }
 };
 
-/// Decodes the fields of a request of functions 03, 06, 16 and 23, which follow the function, into `access`.
+/// Decodes the fields of a request of functions 03, 04, 06, 16 and 23, which follow the function, into `access`.
 /// `illegal_function` for any other function and for one with a limit of 0; `illegal_data_value` when quantity, byte
 /// count and size do not agree or a limit of the device is exceeded; `access` is then undefined.
 template <typename Functions>

@@ -317,7 +317,8 @@ template <typename Functions, typename Bank, typename Diagnostics>
     return respond_to<Functions>(function, pdu, bank, profile, line);
 }
 
-/// Replaces a request PDU of a function below 80 by its response or an exception; returns the exception, or none.
+/// Replaces a request PDU of a function below 80 by its response or an exception, by the rules that stand at
+/// `respond_in_place`; returns the exception, or none.
 template <typename Functions, typename Bank, typename Diagnostics>
 constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, server_profile const& profile,
                        Diagnostics& line) noexcept

@@ -128,7 +128,7 @@ private:
         return each.unit == unit or each.unit == everybody;
     }
 
-    /// `covers` for several units. Not inlined: it is called in several places, and in more for each kind of
+    /// `covers` for several units. A function of its own: it is called in several places, and in more for each kind of
     /// conversation.
     constexpr bool is_among(std::uint8_t unit) const noexcept
     {

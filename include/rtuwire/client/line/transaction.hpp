@@ -174,7 +174,8 @@ public:
         framer_.add_to(memory_, next, phase_ == phase::awaiting and not is_reserved);
         quarantine_.add_to(next);
         if (is_woken_ or is_under_way(phase_)) {
-            // After `wake`, a time that has come already. Not the latest activity: that may be an hour ago.
+            // After `wake` while a request waits: a time that has come already, so that the loop comes back at once. Not the
+            // latest activity: that may be an hour ago.
             bool const is_past = is_woken_ and phase_ == phase::waiting;
             next.add(is_past ? seen : deadline_);
         }
@@ -257,7 +258,7 @@ public:
     }
 
     /// A stop request needs the line. The request under way is not repeated. It is given up where it may be dropped before
-    /// it has left, and where it may be cut, unless its response has begun to arrive.
+    /// it has left, as a repetition always is, and where it may be cut, unless its response has begun to arrive.
     constexpr void make_way(bool may_cut, bool may_drop, instant now) noexcept
     {
         retries_.end_retries();
@@ -272,7 +273,7 @@ public:
     /// Whether the request was given up and its asker was not told yet.
     constexpr bool was_cut() const noexcept { return phase_ == phase::settled and error_ == errc::cancelled; }
 
-    /// Whether the request that ended left more than once, and was not given up.
+    /// Whether a repetition of the request that ended was begun, and it was not given up.
     constexpr bool was_repeated() const noexcept { return not retries_.is_first() and error_ != errc::cancelled; }
 
     /// How the request ended for its unit: one that left and was given up without a response counts as timed out.
@@ -309,8 +310,8 @@ private:
 
     // The steps: each enters a phase and sets the time that limits it.
 
-    /// The request waits for the line: for others to end no longer than for a response, and for the silence besides; where
-    /// it has left already, first for its unit's pause. Not inlined: it is called in several places.
+    /// The request waits for a silent line, for a response time-out and the silence at most; one that has left already first
+    /// waits for its unit's pause. Not inlined: it is called in several places.
     [[gnu::noinline]] constexpr void wait_for_silence(instant now) noexcept
     {
         leave_begun();
@@ -674,7 +675,7 @@ private:
     kept_phase phase_{client_phase::idle};
     errc error_{errc::none};
     bool is_woken_{false};      ///< the next pass has something to do at once
-    bool must_send_now_{false}; ///< the request must leave at once or not at all
+    bool must_send_now_{false}; ///< bytes on the line end the request once it is ready
     [[no_unique_address]] line_echo echo_;
     [[no_unique_address]] noise_allowance<Options> noise_{};
     [[no_unique_address]] retry_state retries_;

@@ -100,7 +100,8 @@ private:
 /// | stage             | word read                 | confirmed  | no response | refused       | limit over          |
 /// |-------------------|---------------------------|------------|-------------|---------------|---------------------|
 /// | meeting           | a status                  |            | end: silent | end: refused  | end: aborted        |
-/// | examining         | the check; then a status  |            | end: silent | as in a check | end: aborted        |
+/// | examining         | the check; then a status  |            | as in a     | as in a check | end: aborted        |
+/// |                   |                           |            | check       |               |                     |
 /// | enabling          | a status                  | read ETA   | read ETA    | undo: refused | undo: state_timeout |
 /// | reading_direction | runs: write the reference |            | read ETA    | undo: refused | undo: state_timeout |
 /// |                   | so, but above HSP: read   |            |             |               |                     |
