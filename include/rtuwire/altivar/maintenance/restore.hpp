@@ -4,6 +4,11 @@
 // Writes a configuration into a drive that stands: what differs, one parameter at a time, each read back. It may be cut
 // at any moment: each parameter then holds its old word or the new one, the report says which, and a second restore goes
 // on where the first one ended.
+//
+// Here is what is written, in which order, and when it ends. What that stands on is in restoring/: restore_calls.hpp has what
+// a client calls, restore_checks.hpp what each response means, restore_procedures.hpp the inner procedures (the look whether
+// the drive stands, the save), restore_requests.hpp one request at a time. A response goes from the calls to the checks, from
+// these to the inner procedure under way, and its end comes back here.
 #pragma once
 
 #include <array>
