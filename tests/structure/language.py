@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """Compiles the doors and a header of each folder for an older language: the first error is our sentence, with the
-flag that the tool takes. That every header includes core/version.hpp before its own text, rules.py checks.
+flag that the tool takes, and behind it stands nothing but the one that ends the compilation. That every header includes core/version.hpp before its own text, rules.py checks.
 
     python3 language.py INCLUDE COMPILER
 """
@@ -26,23 +26,20 @@ ERROR = re.compile(r".*?\berror: (.*)")
 DOOR = "rtuwire/rtuwire.hpp"
 
 
-def first_error(compiler, include, header, *flags):
-    """The compiler's first error for a file that includes this header alone; none where there is none. Nobody waits for
-    the thousands that follow it."""
-    with subprocess.Popen(
-            [compiler, "-I", include, *flags, "-fsyntax-only", "-x", "c++", "-"], text=True, stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, "LC_ALL": "C"}) as running:
-        running.stdin.write(f"#include <{header}>\n")
-        running.stdin.close()
-        found = next(filter(None, map(ERROR.match, running.stdout)), None)
-        running.kill()
-    return found[1] if found else None
+def errors(compiler, include, header, *flags):
+    """The compiler's errors for a file that includes this header alone."""
+    done = subprocess.run([compiler, "-I", include, *flags, "-fsyntax-only", "-x", "c++", "-"], text=True, check=False,
+                          input=f"#include <{header}>\n", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          env={**os.environ, "LC_ALL": "C"})
+    return [found[1] for found in map(ERROR.match, done.stdout.splitlines()) if found]
 
 
 def complaints(compiler, include, headers):
     def of_header(header, flag="-std=c++17"):
-        said = first_error(compiler, include, header, flag, "-fmax-errors=1")
-        return None if said and SENTENCE in said else f"{header} {flag}: the first error is {said!r}"
+        said = errors(compiler, include, header, flag)
+        if not said or SENTENCE not in said[0]:
+            return f"{header} {flag}: the first error is {said[:1]}"
+        return None if len(said) <= 2 else f"{header} {flag}: the sentence is one of {len(said)} errors"
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         yield from filter(None, pool.map(of_header, headers))
@@ -51,7 +48,7 @@ def complaints(compiler, include, headers):
 
 def complaints_of_tools(compiler, include, header):
     for defines, names in TOOLS.items():
-        said = first_error(compiler, include, header, "-std=gnu++17", *defines) or ""
+        said = "".join(errors(compiler, include, header, "-std=gnu++17", *defines)[:1])
         for name in (SENTENCE, *names):
             if name not in said:
                 yield f"{' '.join(defines) or 'no tool'}: {name!r} is not in {said!r}"

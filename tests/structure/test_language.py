@@ -28,8 +28,13 @@ class Language(unittest.TestCase):
         of_headers, _ = self.complaints("#include <no_such_header>\n" + SAYS_IT)
         self.assertEqual(len(of_headers), 3)
 
+    def test_errors_behind_the_sentence_are_reported(self):
+        of_headers, _ = self.complaints(SAYS_IT + "".join(f"unknown a{i};\n" for i in range(7)))
+        self.assertEqual(len(of_headers), 3)
+        self.assertIn("one of 8 errors", of_headers[0])
+
     def test_a_header_that_compiles_is_reported(self):
         of_headers, of_tools = self.complaints("int a();\n")
         self.assertEqual(len(of_headers), 3)
-        self.assertIn("None", of_headers[0])
+        self.assertIn("[]", of_headers[0])
         self.assertTrue(of_tools)

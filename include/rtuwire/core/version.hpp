@@ -20,6 +20,8 @@
 #else
 #error "rtuwire needs C++20. GCC and Clang: -std=c++20; CMake: target_compile_features(<target> PRIVATE cxx_std_20)"
 #endif
+// There is no such file: a compiler that misses one stops, and does not tell of thousands of errors behind ours.
+#include <rtuwire_needs_cpp20>
 #endif
 
 /// The version for the preprocessor: major * 10000 + minor * 100 + patch.
