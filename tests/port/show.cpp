@@ -67,6 +67,22 @@ TEST_CASE("amounts, settings, enumerators, errors and outcomes go to a stream")
     CHECK(shown(text_of(rtuwire::rpm{1'500})) == "1500 rpm");
 }
 
+TEST_CASE("a result goes to a stream as its value or its error")
+{
+    using rtuwire::errc;
+    using rtuwire::result;
+    CHECK(shown(result<rtuwire::decihertz>{rtuwire::decihertz{523}}) == "52.3 Hz");
+    CHECK(shown(result<rtuwire::decihertz>{errc::timed_out}) == "no response in time");
+    CHECK(shown(result<altivar::status_word>{altivar::status_word{0x0237}}) == "0x0237");
+    CHECK(shown(result<rtuwire::real<rtuwire::volts>>{errc::value_without_meaning}) ==
+          "value without a meaning in the register");
+    CHECK(shown(result<void>{}) == "no error");
+    CHECK(shown(result<void>{errc::overruled}) == shown(errc::overruled));
+    std::ostringstream out;
+    out << std::setw(10) << result<rtuwire::decihertz>{rtuwire::decihertz{500}} << '|';
+    CHECK(out.str() == "   50.0 Hz|");
+}
+
 TEST_CASE("a reason tells all that is known")
 {
     using altivar::outcome_kind;
@@ -171,6 +187,9 @@ TEST_CASE("std::format takes what a stream takes")
     CHECK(std::format("{}|{:>8}|{}|{}", rtuwire::decihertz{5}, rtuwire::rpm{7}, rtuwire::errc::none,
                       altivar::atv320::fault_code::slf1) == "0.5 Hz|   7 rpm|no error|SLF1: Modbus interrupted");
     CHECK(std::format("{} {}", rtuwire::literal{"a"}, text_of(rtuwire::rpm{7})) == "a 7 rpm");
+    CHECK(std::format("{:>8}|{}|{}", rtuwire::result<rtuwire::rpm>{rtuwire::rpm{7}},
+                      rtuwire::result<rtuwire::rpm>{rtuwire::errc::timed_out},
+                      rtuwire::result<void>{}) == "   7 rpm|no response in time|no error");
 }
 #endif
 
@@ -180,5 +199,8 @@ TEST_CASE("fmt takes what a stream takes")
     CHECK(fmt::format("{}|{:>8}|{}|{}", rtuwire::decihertz{5}, rtuwire::rpm{7}, rtuwire::errc::none,
                       altivar::atv320::fault_code::slf1) == "0.5 Hz|   7 rpm|no error|SLF1: Modbus interrupted");
     CHECK(fmt::format("{} {}", rtuwire::literal{"a"}, text_of(rtuwire::rpm{7})) == "a 7 rpm");
+    CHECK(fmt::format("{:>8}|{}|{}", rtuwire::result<rtuwire::rpm>{rtuwire::rpm{7}},
+                      rtuwire::result<rtuwire::rpm>{rtuwire::errc::timed_out},
+                      rtuwire::result<void>{}) == "   7 rpm|no response in time|no error");
 }
 #endif

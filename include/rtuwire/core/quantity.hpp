@@ -13,6 +13,7 @@
 #include <ratio>
 #include <utility>
 
+#include <rtuwire/core/unshown.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
@@ -252,6 +253,10 @@ template <typename Target, std::integral Rep, typename Scale>
     }
     return Target{static_cast<target_rep>(steps)};
 }
+
+/// Does not compile: core/unshown.hpp says why.
+template <typename Dimension, std::integral Rep, typename Scale>
+void operator<<(detail::include_rtuwire_print_hpp_to_show_this, quantity<Dimension, Rep, Scale>);
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

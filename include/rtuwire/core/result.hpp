@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <rtuwire/core/unshown.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
@@ -171,6 +172,11 @@ public:
 private:
     errc error_{};
 };
+
+/// Does not compile: core/unshown.hpp says why.
+void operator<<(detail::include_rtuwire_print_hpp_to_show_this, errc);
+template <typename T>
+void operator<<(detail::include_rtuwire_print_hpp_or_show_its_value_or_its_error, result<T> const&);
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

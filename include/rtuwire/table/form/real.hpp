@@ -14,6 +14,7 @@
 
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/units.hpp>
+#include <rtuwire/core/unshown.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
@@ -153,6 +154,10 @@ template <detail::any_real Amount, detail::plain_number Number> constexpr bool o
     static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
     return false;
 }
+
+/// Does not compile: core/unshown.hpp says why.
+template <detail::any_quantity Unit, std::floating_point Float>
+void operator<<(detail::include_rtuwire_print_hpp_to_show_this, real<Unit, Float>);
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire
