@@ -107,6 +107,16 @@ template <std::integral From, std::integral To> [[nodiscard]] consteval bool hol
            (not has_sign or std::cmp_less_equal(std::intmax_t{(to::min)()} / factor, (from::min)()));
 }
 
+/// How many steps `count` steps that are larger by a factor are, and whether a part of one is left.
+template <typename Factor> [[nodiscard]] constexpr std::int64_t whole_steps(std::int64_t count) noexcept
+{
+    return count * Factor::num / Factor::den;
+}
+template <typename Factor> [[nodiscard]] constexpr bool has_part_of_a_step(std::int64_t count) noexcept
+{
+    return count * Factor::num % Factor::den != 0;
+}
+
 } // namespace detail
 
 /// Not constexpr, so that in a constant expression the compiler reports one of these names. At run time they do
@@ -165,14 +175,18 @@ public:
         requires(not detail::is_finer<OtherScale, Scale> or
                  not detail::holds_all<std::int64_t, Rep>(std::ratio_divide<OtherScale, Scale>::num))
     consteval quantity(quantity<Dimension, std::int64_t, OtherScale> another) noexcept
-        : count_{static_cast<Rep>(another.count() * std::ratio_divide<OtherScale, Scale>::num /
-                                  std::ratio_divide<OtherScale, Scale>::den)}
+        RTUWIRE_REFUSES(this_amount_is_not_a_whole_number_of_steps,
+                        detail::has_part_of_a_step<std::ratio_divide<OtherScale, Scale>>(another.count()))
+            RTUWIRE_REFUSES(
+                this_amount_does_not_fit_the_target,
+                not std::in_range<Rep>(detail::whole_steps<std::ratio_divide<OtherScale, Scale>>(another.count())))
+        : count_{static_cast<Rep>(detail::whole_steps<std::ratio_divide<OtherScale, Scale>>(another.count()))}
     {
         using factor = std::ratio_divide<OtherScale, Scale>;
-        if (another.count() * factor::num % factor::den != 0) {
+        if (detail::has_part_of_a_step<factor>(another.count())) {
             this_amount_is_not_a_whole_number_of_steps();
         }
-        if (not std::in_range<Rep>(another.count() * factor::num / factor::den)) {
+        if (not std::in_range<Rep>(detail::whole_steps<factor>(another.count()))) {
             this_amount_does_not_fit_the_target();
         }
     }

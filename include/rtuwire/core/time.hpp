@@ -33,6 +33,25 @@ namespace detail {
 template <typename T>
 concept amount_of_time = T::dimension::is_time;
 
+/// An amount of time in whole microseconds, and whether a part of one is left; of anything else, nothing: Clang 14 looks at
+/// `RTUWIRE_REFUSES` before it looks at the constraint.
+template <typename Amount> [[nodiscard]] constexpr std::int64_t whole_microseconds(Amount const& amount) noexcept
+{
+    if constexpr (amount_of_time<Amount>) {
+        using step = std::ratio_divide<typename Amount::scale, std::micro>;
+        return amount.count() * step::num / step::den;
+    }
+    return 0;
+}
+template <typename Amount> [[nodiscard]] constexpr bool has_part_of_a_microsecond(Amount const& amount) noexcept
+{
+    if constexpr (amount_of_time<Amount>) {
+        using step = std::ratio_divide<typename Amount::scale, std::micro>;
+        return amount.count() * step::num % step::den != 0;
+    }
+    return false;
+}
+
 } // namespace detail
 
 /// A span of time in whole microseconds. One made by the functions below is at most `longest_duration`; the
@@ -46,19 +65,23 @@ struct duration {
     explicit constexpr duration(std::uint32_t count) noexcept : microseconds{count} {}
 
     /// A literal: 5_s, 0.02_s.
-    template <detail::amount_of_time Amount> consteval duration(Amount amount) noexcept
+    template <detail::amount_of_time Amount>
+    consteval duration(Amount amount) noexcept
+        RTUWIRE_REFUSES(a_duration_is_not_negative, detail::whole_microseconds(amount) < 0)
+            RTUWIRE_REFUSES(a_duration_counts_whole_microseconds, detail::has_part_of_a_microsecond(amount))
+                RTUWIRE_REFUSES(a_duration_is_at_most_35_minutes,
+                                detail::whole_microseconds(amount) > 35LL * 60 * 1'000'000)
     {
-        using factor = std::ratio_divide<typename Amount::scale, std::micro>;
         if (amount.count() < 0) {
             a_duration_is_not_negative();
         }
-        if (amount.count() * factor::num % factor::den != 0) {
+        if (detail::has_part_of_a_microsecond(amount)) {
             a_duration_counts_whole_microseconds();
         }
-        if (amount.count() * factor::num / factor::den > 35LL * 60 * 1'000'000) {
+        if (detail::whole_microseconds(amount) > 35LL * 60 * 1'000'000) {
             a_duration_is_at_most_35_minutes();
         }
-        microseconds = static_cast<std::uint32_t>(amount.count() * factor::num / factor::den);
+        microseconds = static_cast<std::uint32_t>(detail::whole_microseconds(amount));
     }
 
     friend constexpr bool operator==(duration, duration) noexcept = default;

@@ -51,6 +51,16 @@
 #endif
 #endif
 
+// Behind the parameters of a consteval constructor: a condition under which its body refuses, and what it says then. Clang 14
+// calls one that initialises a variable outside of functions at run time, and refuses nothing: there this does.
+#if defined(__clang__) && __clang_major__ < 15
+#define RTUWIRE_REFUSES(sentence, ...)                                                                                 \
+    _Pragma("clang diagnostic push") _Pragma("clang diagnostic ignored \"-Wgcc-compat\"")                              \
+        __attribute__((diagnose_if((__VA_ARGS__), #sentence, "error"))) _Pragma("clang diagnostic pop")
+#else
+#define RTUWIRE_REFUSES(sentence, ...)
+#endif
+
 #define RTUWIRE_JOIN_NAMES(version, checked, form) v##version##_##checked##_##form
 #define RTUWIRE_JOIN(version, checked, form) RTUWIRE_JOIN_NAMES(version, checked, form)
 #if RTUWIRE_CHECKED

@@ -24,7 +24,9 @@ namespace detail {
 /// use of a class whose own constructor is consteval.
 class unit_number {
 public:
-    consteval unit_number(int number) noexcept : byte_{static_cast<std::uint8_t>(number)}
+    consteval unit_number(int number) noexcept
+        RTUWIRE_REFUSES(a_unit_address_is_1_to_247, not(number >= 1 and number <= 247))
+        : byte_{static_cast<std::uint8_t>(number)}
     {
         if (number < 1 or number > 247) {
             a_unit_address_is_1_to_247();
