@@ -136,6 +136,13 @@ public:
     /// A unit address known at compile time, within the device's range.
     explicit constexpr station(unit_of<Device> where) noexcept : unit_{where.unit()} {}
 
+    /// A plain number is taken in order to be refused in plain words.
+    template <std::integral Number> explicit constexpr station(Number) noexcept : unit_{1}
+    {
+        static_assert(not std::integral<Number>,
+                      "a plain number is no unit: station<...>{unit_id{7}}, or station<...>::checked(n) at run time");
+    }
+
     /// A unit address known only at run time; `invalid_unit` outside the device's range.
     [[nodiscard]] static constexpr result<station> checked(std::uint32_t number) noexcept
     {

@@ -89,6 +89,15 @@ public:
         : write_{Device::frequency_reference.address, hertz_setting{its_value}.word()}
     {}
 
+    /// A plain number is taken in order to be refused in plain words.
+    template <typename Number>
+        requires std::integral<Number> or std::floating_point<Number>
+    constexpr reference(Number) noexcept : write_{}
+    {
+        static_assert(not std::integral<Number> and not std::floating_point<Number>,
+                      "a plain number is no reference: give it a unit, 50_Hz or 1500_rpm");
+    }
+
     /// A setting that was checked at run time.
     constexpr reference(speed value) noexcept : write_{Device::speed_reference.address, value.word(), true} {}
     constexpr reference(hertz_setting value) noexcept : write_{Device::frequency_reference.address, value.word()} {}
