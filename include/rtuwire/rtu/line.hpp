@@ -18,6 +18,9 @@ inline namespace RTUWIRE_BUILD {
 /// `none_8_1`, of 10 bits.
 enum class character_format : std::uint8_t { even_8_1, odd_8_1, none_8_1, none_8_2 };
 
+/// Not constexpr, so that in a constant expression the compiler reports its name. At run time it does nothing.
+inline void the_bit_rate_of_a_line_is_above_0() noexcept {}
+
 namespace detail {
 
 /// Bits of one character, start bit included: 10 or 11.
@@ -135,6 +138,9 @@ private:
     static constexpr duration bit_times(std::uint32_t half_characters, std::uint32_t bits_per_second,
                                         character_format format) noexcept
     {
+        if (bits_per_second == 0) {
+            the_bit_rate_of_a_line_is_above_0();
+        }
         std::uint32_t const bits_by_million = half_characters * detail::bits_per_character(format) * 500'000U;
         return duration{(bits_by_million + bits_per_second - 1) / bits_per_second};
     }
