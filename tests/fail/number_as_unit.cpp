@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A request to a plain number, which is no unit yet.
 // EXPECT: a request goes to a unit, unit_id{7}, or to all of them, broadcast: not to a plain number
+// ALONE
 #include <rtuwire/client.hpp>
 
 using namespace rtuwire;

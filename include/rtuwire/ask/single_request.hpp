@@ -42,6 +42,16 @@ template <typename Request>
     requires std::same_as<std::remove_cv_t<decltype(Request::code)>, function_code>
 inline constexpr function_set function_of<Request>{Request::code};
 
+/// Where a request goes; to a unit where it may not go there, so that nothing more is said than why it may not.
+template <typename Request, typename To> [[nodiscard]] constexpr auto where_it_may_go(To whom) noexcept
+{
+    if constexpr (std::same_as<To, unit_id> or (std::same_as<To, broadcast_t> and broadcastable<Request>)) {
+        return whom;
+    } else {
+        return unit_id{1};
+    }
+}
+
 /// One request in a frame of at most `FrameSize` bytes, and room for a response PDU of `ResponseSize`.
 template <std::size_t FrameSize, std::size_t ResponseSize> class sized_request : public finite_conversation {
 public:
@@ -134,7 +144,8 @@ public:
     using base::base;
 
     template <typename To>
-    constexpr single_request(To whom, Request const& its_request) noexcept : base{whom, its_request}
+    constexpr single_request(To whom, Request const& its_request) noexcept
+        : base{detail::where_it_may_go<Request>(whom), its_request}
     {
         static_assert(std::same_as<To, unit_id> or std::same_as<To, detail::broadcast_t>,
                       "a request goes to a unit, unit_id{7}, or to all of them, broadcast: not to a plain number");

@@ -274,6 +274,16 @@ public:
         }
     }
 
+    /// A request by itself is taken in order to be refused in plain words.
+    template <typename To, detail::pdu Request>
+    constexpr result<typename Request::response> ask(To, Request const&) noexcept
+    {
+        static_assert(not detail::pdu<Request>,
+                      "this client waits for no response: name a single_request{unit, request} "
+                      "and give it to `converse` in each pass; a blocking_client waits");
+        return errc::busy;
+    }
+
     /// The first part of `converse`: the error of the outcome that the conversation was given (`none` for a response),
     /// if it was given one. `wants_turn` tells whether it has a request to send.
     template <conversation Conversation>
