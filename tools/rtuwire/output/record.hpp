@@ -13,7 +13,7 @@
 namespace tool {
 
 /// Nothing, where a value is not known.
-using cell = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+using cell = std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string>;
 
 struct field {
     std::string name;

@@ -14,7 +14,8 @@ namespace {
 
 bool is_number(cell const& value)
 {
-    return std::holds_alternative<std::int64_t>(value) or std::holds_alternative<double>(value);
+    return std::holds_alternative<std::int64_t>(value) or std::holds_alternative<std::uint64_t>(value) or
+           std::holds_alternative<double>(value);
 }
 
 std::string shown(cell const& value) { return plain_text(text_of_cell(value)); }
