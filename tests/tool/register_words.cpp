@@ -25,8 +25,7 @@ std::string selected(words const& typed, tool::drive_catalog const* drive = atv3
     }
     std::string text;
     for (tool::chosen_register const& each : found.registers) {
-        text += (text.empty() ? "" : ", ") + std::to_string(each.address);
-        text += each.bit >= 0 ? "." + std::to_string(each.bit) : "";
+        text += (text.empty() ? "" : ", ") + tool::text_of(each.where);
         text += each.entry != nullptr ? " " + std::string{each.entry->code} : "";
     }
     return text;
@@ -99,6 +98,17 @@ TEST_CASE("without a drive there are only numbers")
     CHECK(selected({"RFR"}, nullptr) == "no_drive");
     CHECK(selected({"@monitor"}, nullptr) == "no_drive");
     CHECK(selected({"7.fault"}, nullptr) == "unknown_bit");
+}
+
+TEST_CASE("a place needs no drive, and a drive's words mean what they meant")
+{
+    CHECK(selected({"input:40:f32,coil:3", "40:u32", "40.4-7"}, nullptr) == "input:40:f32, coil:3, 40:u32, 40.4-7");
+    CHECK(selected({"holding:3202", "RFR", "3202"}) == "holding:3202 RFR");
+    CHECK(selected({"RFR", "3202:i16", "input:3202"}) == "3202 RFR, 3202:i16 RFR, input:3202");
+    CHECK(selected({"holding:705.0", "705.0"}, tool::catalog_named("atv310")) == "holding:705.0, 12701 NMA1");
+    CHECK(tool::first_menu_number(words{"holding:705.0", "611:u16", "40.4-7"}).empty());
+    CHECK(selected({"RFR:f32"}) == "wrong_place");
+    CHECK(selected({"RFR", "40:f33"}, nullptr) == "no_drive");
 }
 
 TEST_CASE("each group has registers of each drive, or says that it has none")

@@ -29,7 +29,7 @@ void add_line_options(CLI::App& app, line_choices& line)
     app.add_option("-u,--unit", line.unit, "the unit's address, or a name given by --name")->capture_default_str();
     app.add_option("-b,--baud", line.baud, "bits a second")->capture_default_str();
     app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
-    app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it");
+    app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it; none: it is no drive");
     app.add_option("--name", line.names, "a unit's name: fan=7:atv320")->allow_extra_args(false);
     app.add_option("--timeout", line.response_timeout, "seconds to wait for a response")
         ->check(why_no_number)
@@ -63,6 +63,9 @@ void add_permissions(CLI::App& app, permissions& allowed)
     app.add_flag("--allow-run", allowed.may_run, "allow what moves a motor");
     app.add_flag("-y,--yes", allowed.is_confirmed, "ask nothing back");
 }
+
+/// In front of the last lines of its help.
+void add_to_footer(CLI::App& command, std::string const& text) { command.footer(text + '\n' + command.get_footer()); }
 
 CLI::App& add_command(CLI::App& app, choices& chosen, char const* name, char const* what)
 {
@@ -115,7 +118,15 @@ std::string register_words_of_a_unit()
 {
     return std::string{register_words} + ". A number that this menu has means it on an ATV310, elsewhere an address or "
                                          "a bit: without --drive the unit "
-                                         "is asked who it is. 0x0263 is an address everywhere";
+                                         "is asked who it is. 0x0263 is an address everywhere. And places of any "
+                                         "device, as below, which ask nobody who it is";
+}
+
+/// Registers of a drive, and places of any device.
+void add_places(CLI::App& command, choices& chosen, bool is_required)
+{
+    add_operands(command, chosen, "REG", register_words_of_a_unit(), is_required);
+    add_to_footer(command, "A place of any device:\n" + places_text());
 }
 
 void add_reading(CLI::App& app, choices& chosen)
@@ -130,13 +141,13 @@ void add_reading(CLI::App& app, choices& chosen)
         ->allow_extra_args(false);
     scan.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
     add_command(app, chosen, "identify", "who is it?");
-    add_operands(add_command(app, chosen, "read", "read registers"), chosen, "REG", register_words_of_a_unit(), true);
+    add_places(add_command(app, chosen, "read", "read registers"), chosen, true);
     CLI::App& watch = add_command(app, chosen, "watch", "read registers again and again, a line each time");
-    add_operands(watch, chosen, "REG", register_words_of_a_unit(), true);
+    add_places(watch, chosen, true);
     add_period(watch, chosen);
     add_time_limit(watch, chosen);
     CLI::App& monitor = add_command(app, chosen, "monitor", "several drives on a full screen");
-    add_operands(monitor, chosen, "REG", register_words_of_a_unit());
+    add_places(monitor, chosen, false);
     add_period(monitor, chosen);
     CLI::App& list = add_command(app, chosen, "list", "the registers of a drive, or the drives");
     add_operands(list, chosen, "PATTERN", "mnemonics, globs, groups, addresses, numbers of an ATV310's menu");
@@ -161,9 +172,8 @@ void add_writing(CLI::App& app, choices& chosen)
         ->excludes(speed);
     start.add_flag("--reverse", chosen.motion.is_reverse, "the other direction");
     add_time_limit(start, chosen);
-    start.footer("Ctrl-C stops the motor by its ramp. Ctrl-C again, a second later or more, takes its power away: it "
-                 "coasts.\n" +
-                 start.get_footer());
+    add_to_footer(start, "Ctrl-C stops the motor by its ramp. Ctrl-C again, a second later or more, takes its power "
+                         "away: it coasts.");
     CLI::App& stop = add_command(app, chosen, "stop", "stop a motor");
     auto* const ramp = stop.add_flag_callback(
         "--ramp", [&chosen] { chosen.motion.stop_by = "ramp"; },

@@ -14,6 +14,7 @@
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
 #include "line/line_words.hpp"
+#include "line/who_is_it.hpp"
 #include "port/port_word.hpp"
 #include "words/suggestion.hpp"
 
@@ -159,7 +160,7 @@ double number_in(std::string const& word, double lowest, double highest)
 
 std::string drive_in(std::string const& word)
 {
-    if (catalog_named(word) == nullptr) {
+    if (word != no_drive and catalog_named(word) == nullptr) {
         std::vector<std::string_view> names;
         for (drive_catalog const* const each : all_catalogs()) {
             names.push_back(each->name);

@@ -77,7 +77,7 @@ class explaining {
 public:
     explicit explaining(choices const& chosen)
         : words_{joined(chosen.words)},
-          decoder_{chosen.line.drive.empty() ? nullptr : &catalog_chosen(chosen.line.drive)}, printer_{chosen.form}
+          decoder_{chosen.line.drive.empty() ? nullptr : catalog_or_none(chosen.line.drive)}, printer_{chosen.form}
     {}
 
     /// A line's bytes; both readings of digits whose CRC is right in neither.

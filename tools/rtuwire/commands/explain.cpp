@@ -187,7 +187,7 @@ exit_status run_explain(choices const& chosen)
         for (drive_catalog const* const drive : drives_with(chosen, word)) {
             for (chosen_register const& each : registers_in({word}, drive)) {
                 if (each.entry == nullptr) {
-                    refuse_word(word + ": nothing is known of register " + std::to_string(each.address) + " of an " +
+                    refuse_word(word + ": nothing is known of register " + text_of(each.where) + " of an " +
                                 std::string{drive->name});
                 }
                 show(results, chosen.form, *each.entry, *drive);

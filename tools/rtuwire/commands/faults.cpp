@@ -80,11 +80,11 @@ public:
 private:
     std::vector<chosen_register> registers() const
     {
-        std::vector<chosen_register> all{{drive_.layout.lft, drive_.at(drive_.layout.lft)},
-                                         {drive_.layout.eta, drive_.at(drive_.layout.eta)}};
+        std::vector<chosen_register> all{{{drive_.layout.lft}, drive_.at(drive_.layout.lft)},
+                                         {{drive_.layout.eta}, drive_.at(drive_.layout.eta)}};
         auto const add = [&all](register_entry const* entry) {
             if (entry != nullptr) {
-                all.push_back({entry->address, entry});
+                all.push_back({{entry->address}, entry});
             }
         };
         for (std::string_view const each : warning_words) {
@@ -101,10 +101,10 @@ private:
 
     record begun(std::string const& when, std::uint16_t address)
     {
-        reading const fault = reading_of({address, drive_.at(address)}, reader_, &drive_);
+        reading const fault = reading_of({{address}, drive_.at(address)}, reader_, &drive_);
         record row{{"unit", std::int64_t{unit_.unit.byte()}}, {"when", when}, {"register", fault.label}};
         if (chosen_.form != output_form::table) {
-            row.add("raw", fault.word ? cell{std::int64_t{*fault.word}} : cell{});
+            row.add("raw", fault.raw);
         }
         return row.add("fault", fault.text);
     }
@@ -143,7 +143,7 @@ private:
     {
         bool const is_missing =
             entry == nullptr or reader_.at(entry->address).error() == rtuwire::errc::illegal_data_address;
-        return is_missing ? std::string{} : reading_of({entry->address, entry}, reader_, &drive_).text;
+        return is_missing ? std::string{} : reading_of({{entry->address}, entry}, reader_, &drive_).text;
     }
 
     /// One for each value that this drive keeps of some fault.

@@ -14,16 +14,17 @@ namespace {
 record for_people(reading const& it, chosen_register const& which)
 {
     return {{"register", it.label},
-            {"address", std::int64_t{which.address}},
+            {"address", std::int64_t{which.where.address}},
             {"value", it.text},
             {"name", which.entry == nullptr ? std::string{} : std::string{which.entry->name}}};
 }
 
 record for_programs(reading const& it, chosen_register const& which, rtuwire::unit_id unit)
 {
-    record line{{"unit", std::int64_t{unit.byte()}}, {"register", it.label}, {"address", std::int64_t{which.address}}};
-    if (it.word) {
-        line.add("raw", std::int64_t{*it.word}).add("value", it.value).add("measure", it.measure).add("text", it.text);
+    record line{
+        {"unit", std::int64_t{unit.byte()}}, {"register", it.label}, {"address", std::int64_t{which.where.address}}};
+    if (it.is_read) {
+        line.add("raw", it.raw).add("value", it.value).add("measure", it.measure).add("text", it.text);
     } else {
         line.add("error", it.text);
     }

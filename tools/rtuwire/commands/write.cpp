@@ -108,7 +108,7 @@ private:
             value_to_write const value = check_value(word, drive_);
             refuse_if_wrong(value);
             for (register_entry const* const each : value.needed) {
-                needed.push_back({each->address, each});
+                needed.push_back({{each->address}, each});
             }
         }
         return needed;
@@ -126,14 +126,14 @@ private:
     {
         std::vector<chosen_register> all;
         for (value_to_write const& each : values) {
-            all.push_back({each.address, each.entry});
+            all.push_back({{each.address}, each.entry});
         }
         register_reader reader{all, drive_};
         reader.read(line, unit_.unit);
         std::vector<held_text> before;
         for (chosen_register const& each : all) {
             reading const it = reading_of(each, reader, drive_);
-            before.push_back(it.word ? held_text{it.text} : std::nullopt);
+            before.push_back(it.is_read ? held_text{it.text} : std::nullopt);
         }
         return before;
     }
@@ -142,7 +142,7 @@ private:
     {
         for (std::size_t i = 0; i < values.size(); ++i) {
             std::fprintf(stderr, "unit %u: %s: %s -> %s\n", unsigned{unit_.unit.byte()},
-                         label_of({values[i].address, values[i].entry}).c_str(), shown(before[i]).c_str(),
+                         label_of({{values[i].address}, values[i].entry}).c_str(), shown(before[i]).c_str(),
                          values[i].text.c_str());
         }
         return is_answered_yes("write?");
@@ -214,7 +214,7 @@ private:
         std::string all = error;
         append(all, note);
         record row{{"unit", std::int64_t{unit_.unit.byte()}},
-                   {"register", label_of({value.address, value.entry})},
+                   {"register", label_of({{value.address}, value.entry})},
                    {"before", cell_of(before, is_table)},
                    {"after", cell_of(after, is_table and error != not_tried)},
                    {"note", all}};
@@ -245,7 +245,7 @@ private:
     {
         unsigned const unit = unit_.unit.byte();
         std::string const why =
-            log_write({chosen_.line.port, unit, label_of({value.address, value.entry}), shown(before), shown(after)});
+            log_write({chosen_.line.port, unit, label_of({{value.address}, value.entry}), shown(before), shown(after)});
         std::string note = why.empty() ? std::string{} : "not noted: " + why;
         if (value.address == drive_->layout.cmi) {
             append(note, why.empty() ? "saved to EEPROM " + std::to_string(count_saves(chosen_.line.port, unit)) +

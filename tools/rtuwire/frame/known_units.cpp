@@ -10,11 +10,11 @@ namespace tool {
 known_units::known_units(line_choices const& line)
 {
     if (not line.drive.empty()) {
-        drives_.fill(&catalog_chosen(line.drive));
+        drives_.fill(catalog_or_none(line.drive));
     }
     for (named_unit const& each : names_in(line)) {
         if (not each.drive.empty()) {
-            drives_[each.unit.byte()] = &catalog_chosen(each.drive);
+            drives_[each.unit.byte()] = catalog_or_none(each.drive);
         }
     }
 }

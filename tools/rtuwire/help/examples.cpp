@@ -47,4 +47,15 @@ std::string example_of(std::string const& command)
     return {};
 }
 
+std::string places_text()
+{
+    return "[space:]where[:type][:order][:scale]     input:40:f32:cdab  40-43:u32:0.1V  coil:3\n"
+           "  space  holding (as without one), input, coil, discrete, or h i c d; list:40001 is holding:0,\n"
+           "         list:30001 input:0, list:10001 discrete:0, list:1 coil:0\n"
+           "  where  40, 0x28, 40-43; bits 40.3, 40.4-7 (one number)\n"
+           "  type   u16 i16 u32 i32 u64 i64 f32 f64 bcd16 bcd32 text20 bits hex\n"
+           "  order  abcd (as without one), cdab (low word first), badc, dcba; of 64 bits eight letters, too\n"
+           "  scale  0.1, 0.1V, 0.01m3/h, 0.1degC-50: times, unit, what is added then\n";
+}
+
 } // namespace tool

@@ -97,7 +97,7 @@ std::string man_page(tool_texts const& texts)
     for (command_text const& each : texts.commands) {
         text += of_command(each);
     }
-    return text + files_and_statuses;
+    return text + ".SH PLACES OF ANY DEVICE\n.EX\n" + plain(places_text()) + ".EE\n" + files_and_statuses;
 }
 
 } // namespace tool

@@ -34,6 +34,9 @@ struct tool_texts {
 /// A command line that does something sensible, and what it does; empty for no command.
 [[nodiscard]] std::string example_of(std::string const& command);
 
+/// How a place of any device is typed, in lines.
+[[nodiscard]] std::string places_text();
+
 /// A script for a shell: "bash" or "zsh"; empty for another one. After --drive it knows the drive's registers.
 [[nodiscard]] std::string completion_script(tool_texts const& texts, std::string const& shell);
 

@@ -48,8 +48,11 @@ asked_registers registers_asked(choices const& chosen, open_line& line)
 {
     named_unit const unit = unit_in(chosen.line);
     std::vector<std::string_view> const views{chosen.words.begin(), chosen.words.end()};
+    if (auto const wrong = wrong_place_in(views)) {
+        refuse(*wrong);
+    }
     bool const has_numbers_only = not select_registers(views, nullptr).refused;
-    drive_catalog const* const drive = not unit.drive.empty() ? &catalog_chosen(unit.drive)
+    drive_catalog const* const drive = not unit.drive.empty() ? catalog_or_none(unit.drive)
                                        : has_numbers_only ? drive_of_numbers(line, unit.unit, first_menu_number(views))
                                                           : &catalog_of(line, unit.unit, {});
     return {unit, drive, registers_in(chosen.words, drive)};

@@ -14,7 +14,8 @@ namespace tool {
 
 struct asked_registers {
     named_unit unit;
-    drive_catalog const* drive; ///< null where only numbers were typed and no drive was chosen
+    drive_catalog const*
+        drive; ///< null where only places were typed and no drive was chosen, and where --drive says none
     std::vector<chosen_register> registers;
 };
 

@@ -3,6 +3,7 @@
 #include "line/reading.hpp"
 
 #include "catalog/value_text.hpp"
+#include "words/place_value.hpp"
 
 namespace tool {
 
@@ -22,13 +23,6 @@ void measure(reading& it, register_entry const& entry, std::uint16_t word, std::
     it.text = full_text(entry, word, *step);
 }
 
-void show_bit(reading& it, int bit, std::uint16_t word)
-{
-    bool const is_set = (word >> bit & 1) != 0;
-    it.value = is_set;
-    it.text = is_set ? "1" : "0";
-}
-
 void explain(reading& it, chosen_register const& which, std::uint16_t word, register_reader const& from,
              drive_catalog const& drive)
 {
@@ -42,33 +36,53 @@ void explain(reading& it, chosen_register const& which, std::uint16_t word, regi
     }
 }
 
+/// Whether the drive's table says what it is: a form that was typed goes before.
+bool is_named(chosen_register const& which) { return which.entry != nullptr and which.where.form.said.empty(); }
+
+/// A number from a list of a manual may be meant, where there is no such register.
+std::string hint(chosen_register const& which, rtuwire::errc why)
+{
+    place const& where = which.where;
+    bool const may_be_listed =
+        why == rtuwire::errc::illegal_data_address and which.entry == nullptr and not where.is_space_said;
+    std::string const listed = may_be_listed ? list_hint(where.address) : std::string{};
+    return listed.empty() ? listed : "; " + listed;
+}
+
 } // namespace
 
 std::string label_of(chosen_register const& which)
 {
-    if (which.entry == nullptr) {
-        return std::to_string(which.address) + (which.bit < 0 ? "" : "." + std::to_string(which.bit));
+    place const& where = which.where;
+    if (not is_named(which)) {
+        return text_of(where);
     }
     std::string const code{which.entry->code};
-    if (which.bit < 0) {
+    if (where.bit < 0) {
         return code;
     }
-    std::string const name{which.entry->bits[static_cast<std::size_t>(which.bit)]};
-    return code + '.' + (name.empty() ? std::to_string(which.bit) : name);
+    std::string const name{where.last_bit < 0 ? which.entry->bits[static_cast<std::size_t>(where.bit)] : ""};
+    std::string const last = where.last_bit < 0 ? std::string{} : '-' + std::to_string(where.last_bit);
+    return code + '.' + (name.empty() ? std::to_string(where.bit) + last : name);
 }
 
 reading reading_of(chosen_register const& which, register_reader const& from, drive_catalog const* drive)
 {
-    reading it{label_of(which), from.at(which.address), {}, {}, {}};
-    if (not it.word) {
-        it.text = from.why_not(which.address);
-    } else if (which.bit >= 0) {
-        show_bit(it, which.bit, *it.word);
-    } else if (which.entry != nullptr and drive != nullptr) {
-        explain(it, which, *it.word, from, *drive);
+    place const& where = which.where;
+    held_words const& held = from.held(where);
+    reading it{label_of(which), held.why == rtuwire::errc::none, {}, {}, {}, held.failure};
+    if (not it.is_read) {
+        it.text += hint(which, held.why);
+        return it;
+    }
+    it.raw = held.words.size() == 1 ? cell{std::int64_t{held.words[0]}} : cell{hex_words(held.words)};
+    if (is_named(which) and where.bit < 0 and drive != nullptr) {
+        explain(it, which, held.words[0], from, *drive);
     } else {
-        it.value = std::int64_t{*it.word};
-        it.text = std::to_string(*it.word) + " (" + hex_word(*it.word) + ')';
+        formed_value const formed = value_of(where, held.words);
+        it.value = formed.value;
+        it.text = formed.text;
+        it.measure = where.form.unit;
     }
     return it;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A register that was read, in the forms in which a person and a program want it.
+// A place that was read, in the forms in which a person and a program want it.
 #pragma once
 
 #include <string>
@@ -10,13 +10,14 @@
 
 namespace tool {
 
-/// "RFR", "ETA.fault"; "3202" where it has no mnemonic.
+/// "RFR", "ETA.fault"; "3202" where it has no mnemonic, and "input:40:f32" of another place.
 std::string label_of(chosen_register const& which);
 
-/// What a register holds.
+/// What a place holds.
 struct reading {
     std::string label;
-    rtuwire::result<std::uint16_t> word;
+    bool is_read;
+    cell raw;            ///< the word, or the bit, as it came; of several registers their words in hexadecimal
     cell value;          ///< the amount in its unit, the enumerator, the bit; nothing where it could not be read
     std::string measure; ///< "Hz"
     std::string text;    ///< "50.0 Hz"; the error in words

@@ -3,114 +3,174 @@
 #include "line/register_reader.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace tool {
 
 using rtuwire::errc;
 
-register_reader::register_reader(std::vector<chosen_register> const& chosen, drive_catalog const* drive)
-    : drive_{drive}, limit_{drive != nullptr ? drive->limits.read : rtuwire::max_read_quantity}
+namespace {
+
+/// What a response has, as words; or why there is none.
+struct words_read {
+    errc why;
+    std::vector<std::uint16_t> words;
+};
+
+template <typename Request, typename Values>
+words_read words_by(open_line& line, rtuwire::unit_id unit, Request const& request, Values values)
 {
-    std::set<std::uint16_t> addresses;
+    auto const outcome = line.ask(unit, request);
+    words_read read{outcome.error(), {}};
+    for (std::size_t i = 0; outcome and i < request.count; ++i) {
+        read.words.push_back(static_cast<std::uint16_t>(values(*outcome)[i]));
+    }
+    return read;
+}
+
+words_read words_of(open_line& line, rtuwire::unit_id unit, register_space space, std::uint16_t start,
+                    std::uint16_t count)
+{
+    auto const registers = [](auto const& response) { return response.registers; };
+    switch (space) {
+    case register_space::holding: break;
+    case register_space::input:
+        return words_by(line, unit, rtuwire::read_input_registers{.start = start, .count = count}, registers);
+    case register_space::coil:
+        return words_by(line, unit, rtuwire::read_coils{.start = start, .count = count},
+                        [](auto const& response) { return response.coils; });
+    case register_space::discrete:
+        return words_by(line, unit, rtuwire::read_discrete_inputs{.start = start, .count = count},
+                        [](auto const& response) { return response.inputs; });
+    }
+    return words_by(line, unit, rtuwire::read_holding_registers{.start = start, .count = count}, registers);
+}
+
+unsigned limit_of(register_space space, drive_catalog const* drive)
+{
+    return space >= register_space::coil                           ? rtuwire::max_bit_quantity
+           : drive != nullptr and space == register_space::holding ? drive->limits.read
+                                                                   : rtuwire::max_read_quantity;
+}
+
+} // namespace
+
+register_reader::register_reader(std::vector<chosen_register> const& chosen, drive_catalog const* drive) : drive_{drive}
+{
+    std::set<run> runs;
     for (chosen_register const& each : chosen) {
-        addresses.insert(each.address);
+        runs.insert(run_of(each.where));
         if (each.entry != nullptr and drive != nullptr and not each.entry->steps_set_by.empty()) {
             if (register_entry const* const other = drive->by_code(each.entry->steps_set_by)) {
-                addresses.insert(other->address);
+                runs.insert(run_of({other->address}));
             }
         }
     }
-    group(addresses);
+    for (run const& each : runs) {
+        add(each);
+    }
 }
 
-bool register_reader::may_reach(std::uint16_t from, std::uint16_t to) const
+register_reader::run register_reader::run_of(place const& where)
 {
-    for (unsigned each = from + 1U; each < to; ++each) {
-        if (drive_ == nullptr or drive_->at(static_cast<std::uint16_t>(each)) == nullptr) {
+    bool const is_one = where.is_single_bit() or where.bit >= 0;
+    return {where.space, where.address, is_one ? std::uint16_t{1} : where.form.registers()};
+}
+
+/// From the first to the last of them; runs may overlap.
+register_reader::run register_reader::whole(block const& which)
+{
+    unsigned const end = std::ranges::max(which, {}, &run::end).end();
+    return {which[0].space, which[0].start, static_cast<std::uint16_t>(end - which[0].start)};
+}
+
+bool register_reader::may_reach(run const& from, run const& to) const
+{
+    for (unsigned each = from.end(); each < to.start; ++each) {
+        if (drive_ == nullptr or from.space != register_space::holding or
+            drive_->at(static_cast<std::uint16_t>(each)) == nullptr) {
             return false;
         }
     }
     return true;
 }
 
-void register_reader::group(std::set<std::uint16_t> const& addresses)
+void register_reader::add(run const& one)
 {
-    for (std::uint16_t const each : addresses) {
-        if (not blocks_.empty()) {
-            block& last = blocks_.back();
-            auto const end = static_cast<std::uint16_t>(last.start + last.count - 1U);
-            if (each - last.start < static_cast<int>(limit_) and may_reach(end, each)) {
-                last.count = static_cast<std::uint16_t>(each - last.start + 1);
-                continue;
-            }
+    if (not blocks_.empty() and blocks_.back()[0].space == one.space) {
+        run const last = whole(blocks_.back());
+        unsigned const size = std::max(last.end(), one.end()) - last.start;
+        if (size <= limit_of(one.space, drive_) and may_reach(last, one)) {
+            blocks_.back().push_back(one);
+            return;
         }
-        blocks_.push_back({each, 1});
     }
+    blocks_.push_back({one});
 }
 
-errc register_reader::read(open_line& line, rtuwire::unit_id unit, block const& which)
+errc register_reader::ask(open_line& line, rtuwire::unit_id unit, block const& which)
 {
-    auto const outcome = line.ask(unit, rtuwire::read_holding_registers{.start = which.start, .count = which.count});
-    std::string const failure = outcome ? std::string{} : line.words_of_failure(outcome.error());
-    for (std::uint16_t i = 0; i < which.count; ++i) {
-        auto const address = static_cast<std::uint16_t>(which.start + i);
-        if (outcome) {
-            failures_.erase(address);
-        } else {
-            failures_.insert_or_assign(address, failure);
+    run const all = whole(which);
+    words_read const read = words_of(line, unit, all.space, all.start, all.count);
+    std::string const failure = read.why == errc::none ? std::string{} : line.words_of_failure(read.why);
+    for (run const& each : which) {
+        held_words one{read.why, {}, failure};
+        if (read.why == errc::none) {
+            auto const first = read.words.begin() + (each.start - all.start);
+            one.words.assign(first, first + each.count);
         }
-        words_.insert_or_assign(address, outcome ? rtuwire::result<std::uint16_t>{outcome->registers[i]}
-                                                 : rtuwire::result<std::uint16_t>{outcome.error()});
+        held_.insert_or_assign(each, std::move(one));
     }
-    return outcome.error();
+    return read.why;
 }
 
-/// What refuses a block may tell some of it alone; what takes no block so long, halves of it.
-errc register_reader::read_parts(open_line& line, rtuwire::unit_id unit, block const& which)
+/// What refuses a block, or takes none so long, may tell halves of it.
+errc register_reader::read_parts(open_line& line, rtuwire::unit_id unit, block const& which,
+                                 std::vector<block>& learned)
 {
-    errc const whole = read(line, unit, which);
-    bool const is_too_long = whole == errc::illegal_data_value;
-    if (which.count < 2 or not(is_too_long or whole == errc::illegal_data_address)) {
-        return whole;
+    errc const why = ask(line, unit, which);
+    bool const may_be_read_in_parts = why == errc::illegal_data_value or why == errc::illegal_data_address;
+    if (which.size() < 2 or not may_be_read_in_parts) {
+        learned.push_back(which);
+        return why;
     }
-    auto const part = static_cast<std::uint16_t>(is_too_long ? (which.count + 1U) / 2U : 1U);
-    errc outcome = errc::none;
-    for (unsigned done = 0; done < which.count; done += part) {
-        errc const one = read_parts(line, unit,
-                                    {static_cast<std::uint16_t>(which.start + done),
-                                     static_cast<std::uint16_t>(std::min<unsigned>(part, which.count - done))});
-        outcome = outcome == errc::none ? one : outcome;
-    }
-    return outcome;
+    auto const middle = which.begin() + static_cast<std::ptrdiff_t>(which.size() / 2);
+    errc const first = read_parts(line, unit, {which.begin(), middle}, learned);
+    errc const second = read_parts(line, unit, {middle, which.end()}, learned);
+    return first != errc::none ? first : second;
 }
 
 void register_reader::read(open_line& line, rtuwire::unit_id unit)
 {
     first_error_ = errc::none;
     first_failure_.clear();
-    failures_.clear();
+    std::vector<block> learned;
     for (block const& each : blocks_) {
-        errc const outcome = read_parts(line, unit, each);
+        errc const outcome = read_parts(line, unit, each, learned);
         if (status_of(outcome) == exit_status::port) {
             throw ended{exit_status::port, line.port().failure()};
         }
         if (first_error_ == errc::none and outcome != errc::none) {
             first_error_ = outcome;
-            first_failure_ = failures_.begin()->second;
+            auto const failed = std::ranges::find(each, outcome, [this](run const& one) { return held_[one].why; });
+            first_failure_ = failed == each.end() ? tool::words_of(outcome) : held_[*failed].failure;
         }
     }
+    blocks_ = std::move(learned);
 }
 
-std::string register_reader::why_not(std::uint16_t address) const
+held_words const& register_reader::held(place const& where) const
 {
-    auto const found = failures_.find(address);
-    return found == failures_.end() ? words_of(at(address).error()) : found->second;
+    static held_words const nothing{.failure = tool::words_of(errc::invalid_address_range)};
+    auto const found = held_.find(run_of(where));
+    return found == held_.end() ? nothing : found->second;
 }
 
 rtuwire::result<std::uint16_t> register_reader::at(std::uint16_t address) const
 {
-    auto const found = words_.find(address);
-    return found == words_.end() ? errc::invalid_address_range : found->second;
+    held_words const& one = held({address});
+    return one.why == errc::none ? rtuwire::result<std::uint16_t>{one.words[0]} : one.why;
 }
 
 known_words register_reader::known() const

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Reads any registers of a unit by few requests: neighbours together, as many as its drive allows.
+// Reads any registers and bits of a unit by few requests: neighbours together, as many as its drive allows, and never
+// over a hole.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,21 +21,31 @@
 
 namespace tool {
 
+/// What the last round read of a value, or why not.
+struct held_words {
+    rtuwire::errc why{rtuwire::errc::invalid_address_range};
+    std::vector<std::uint16_t> words{}; ///< as they came; of a bit 0 or 1
+    std::string failure{};              ///< why, in words
+};
+
 class register_reader {
 public:
     /// With the registers that set the steps of those that were chosen. Without a drive (null) up to 125 at once.
     register_reader(std::vector<chosen_register> const& chosen, drive_catalog const* drive);
 
-    /// One round. What a unit refuses together is read in parts. Ends where the port fails.
+    /// One round. What a unit refuses together is read in halves, and in the next round as this one left them. Ends where
+    /// the port fails.
     void read(open_line& line, rtuwire::unit_id unit);
 
-    /// What the last round read at an address, or why not.
+    /// What the last round read of a place that was chosen.
+    held_words const& held(place const& where) const;
+    /// Of a single holding register.
     rtuwire::result<std::uint16_t> at(std::uint16_t address) const;
     /// The same by mnemonic, as values and limits want it.
     known_words known() const;
 
     /// Why it could not be read, in words; of one that could, nothing.
-    std::string why_not(std::uint16_t address) const;
+    std::string why_not(std::uint16_t address) const { return held({address}).failure; }
 
     /// Why the last round lacks something; none where it is whole.
     rtuwire::errc first_error() const { return first_error_; }
@@ -42,22 +53,29 @@ public:
     std::string const& first_failure() const { return first_failure_; }
 
 private:
-    struct block {
+    /// The registers of one value, or one bit: they come by one response.
+    struct run {
+        register_space space;
         std::uint16_t start;
         std::uint16_t count;
-    };
 
-    void group(std::set<std::uint16_t> const& addresses);
-    /// Whether a request over both addresses meets only registers that the drive has.
-    bool may_reach(std::uint16_t from, std::uint16_t to) const;
-    rtuwire::errc read(open_line& line, rtuwire::unit_id unit, block const& which);
-    rtuwire::errc read_parts(open_line& line, rtuwire::unit_id unit, block const& which);
+        unsigned end() const { return start + unsigned{count}; }
+        friend auto operator<=>(run const&, run const&) = default;
+    };
+    /// The runs of one request.
+    using block = std::vector<run>;
+
+    static run run_of(place const& where);
+    static run whole(block const& which);
+    void add(run const& one);
+    /// Whether a request over both meets only registers that somebody asked for, or that the drive has.
+    bool may_reach(run const& from, run const& to) const;
+    rtuwire::errc ask(open_line& line, rtuwire::unit_id unit, block const& which);
+    rtuwire::errc read_parts(open_line& line, rtuwire::unit_id unit, block const& which, std::vector<block>& learned);
 
     drive_catalog const* drive_;
-    unsigned limit_;
     std::vector<block> blocks_{};
-    std::map<std::uint16_t, rtuwire::result<std::uint16_t>> words_{};
-    std::map<std::uint16_t, std::string> failures_{}; ///< of those that could not be read
+    std::map<run, held_words> held_{};
     rtuwire::errc first_error_{};
     std::string first_failure_{};
 };

@@ -241,6 +241,9 @@ drive_catalog const& catalog_chosen(std::string const& name)
     if (drive_catalog const* const found = catalog_named(name)) {
         return *found;
     }
+    if (name == no_drive) {
+        refuse_word("--drive none: this is a command for drives; say which one it is");
+    }
     std::vector<std::string_view> known;
     std::string all;
     for (drive_catalog const* const each : all_catalogs()) {
@@ -248,6 +251,11 @@ drive_catalog const& catalog_chosen(std::string const& name)
         all += (all.empty() ? "" : ", ") + std::string{each->name};
     }
     refuse_word("there is no drive '" + name + "', only " + all + suggestion(name, known));
+}
+
+drive_catalog const* catalog_or_none(std::string const& name)
+{
+    return name == no_drive ? nullptr : &catalog_chosen(name);
 }
 
 drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen)

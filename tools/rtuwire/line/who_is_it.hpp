@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "catalog/catalog.hpp"
 #include "line/open_line.hpp"
@@ -32,6 +33,12 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit);
 
 /// The catalog of the unit: the one that was chosen, else that of the drive that it is. Ends where it is none.
 drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen);
+
+/// What --drive says of a unit that is no drive, or is not to be asked who it is.
+inline constexpr std::string_view no_drive = "none";
+
+/// The catalog of that name, null of `no_drive`; refuses others with the nearest.
+drive_catalog const* catalog_or_none(std::string const& name);
 
 /// The catalog of that name; refuses others with the nearest.
 drive_catalog const& catalog_chosen(std::string const& name);

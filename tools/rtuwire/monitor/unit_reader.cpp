@@ -22,7 +22,7 @@ bool is_silence(errc why) { return why != errc::none and not rtuwire::is_excepti
 
 chosen_register whole_register(drive_catalog const& drive, std::uint16_t address)
 {
-    return {address, drive.at(address)};
+    return {{address}, drive.at(address)};
 }
 
 double sample_of(cell const& value)
@@ -30,13 +30,16 @@ double sample_of(cell const& value)
     if (auto const* const amount = std::get_if<double>(&value)) {
         return *amount;
     }
+    if (auto const* const large = std::get_if<std::uint64_t>(&value)) {
+        return static_cast<double>(*large);
+    }
     auto const* const count = std::get_if<std::int64_t>(&value);
     return count != nullptr ? static_cast<double>(*count) : NAN;
 }
 
 bool has_curve(chosen_register const& which)
 {
-    return (which.entry == nullptr or which.entry->is_amount()) and which.bit < 0;
+    return (which.entry == nullptr or which.entry->is_amount()) and which.where.bit < 0;
 }
 
 } // namespace
@@ -46,9 +49,8 @@ unit_reader::unit_reader(named_unit unit, std::vector<std::string> words, unsign
 {
     shown_.address = unit_.unit.byte();
     shown_.name = unit_.name;
-    shown_.drive = unit_.drive;
     if (not unit_.drive.empty()) {
-        begin(&catalog_chosen(unit_.drive));
+        begin(catalog_or_none(unit_.drive));
     }
 }
 
@@ -63,7 +65,7 @@ void unit_reader::begin(drive_catalog const* drive)
         choose_registers("@monitor");
         // What the lines above the values say already.
         std::erase_if(registers_, [drive](chosen_register const& each) {
-            return each.address == drive->layout.eta or each.address == drive->layout.lft;
+            return each.where.address == drive->layout.eta or each.where.address == drive->layout.lft;
         });
     }
     std::vector<chosen_register> all = registers_;
@@ -171,9 +173,9 @@ void unit_reader::read_values(open_line& line)
         tool::reading const it = reading_of(registers_[i], *reader_, drive_);
         shown_value& value = shown_.values[i];
         value.text = it.text;
-        value.is_bad = not it.word;
+        value.is_bad = not it.is_read;
         if (has_curve(registers_[i])) {
-            value.add_sample(it.word ? sample_of(it.value) : NAN);
+            value.add_sample(it.is_read ? sample_of(it.value) : NAN);
         }
     }
 }

@@ -77,7 +77,7 @@ void check_register_words(std::vector<std::string> const& words, std::vector<nam
 {
     for (named_unit const& each : units) {
         if (not each.drive.empty()) {
-            static_cast<void>(catalog_chosen(each.drive)); // refuses what is none
+            static_cast<void>(catalog_or_none(each.drive)); // refuses what is none
         }
     }
     for (std::string const& word : words) {

@@ -138,7 +138,7 @@ asked_motion motion_asked(motion_choices const& typed, open_line& line, rtuwire:
     std::vector<chosen_register> limits;
     for (std::string_view const code : {"LSP", "HSP", "FRS", "NSP"}) {
         if (register_entry const* const entry = drive.by_code(code)) {
-            limits.push_back({entry->address, entry});
+            limits.push_back({{entry->address}, entry});
         }
     }
     register_reader reader{limits, &drive};

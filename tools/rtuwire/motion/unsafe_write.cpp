@@ -43,7 +43,7 @@ std::optional<ended> why_not_at_rest(open_line& line, rtuwire::unit_id unit, dri
 {
     std::uint16_t const eta = drive.layout.eta;
     std::uint16_t const rfr = drive.layout.rfr;
-    register_reader status{{{eta, drive.at(eta)}, {rfr, drive.at(rfr)}}, &drive};
+    register_reader status{{{{eta}, drive.at(eta)}, {{rfr}, drive.at(rfr)}}, &drive};
     status.read(line, unit);
     if (status.first_error() != rtuwire::errc::none) {
         return ended{status_of(status.first_error()),

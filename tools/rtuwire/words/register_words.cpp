@@ -38,10 +38,14 @@ class collector {
 public:
     explicit collector(drive_catalog const* drive) noexcept : drive_{drive} {}
 
-    void add(std::uint16_t address, int bit = -1)
+    void add(std::uint16_t address, int bit = -1) { add(place{.address = address, .bit = bit}); }
+    void add(place const& where)
     {
-        if (seen_.emplace(address, bit).second) {
-            found_.push_back({address, drive_ != nullptr ? drive_->at(address) : nullptr, bit});
+        place key = where;
+        key.is_space_said = false;
+        if (seen_.insert(key).second) {
+            bool const is_of_drive = drive_ != nullptr and where.space == register_space::holding;
+            found_.push_back({where, is_of_drive ? drive_->at(where.address) : nullptr});
         }
     }
 
@@ -49,6 +53,7 @@ public:
     [[nodiscard]] std::vector<chosen_register> take() noexcept { return std::move(found_); }
 
 private:
+    [[nodiscard]] refusal_or_none add_places(std::string_view word);
     [[nodiscard]] refusal_or_none add_numbers(std::string_view word, std::size_t dash);
     [[nodiscard]] refusal_or_none add_group(std::string_view word);
     [[nodiscard]] refusal_or_none add_matches(std::string_view word);
@@ -57,7 +62,7 @@ private:
 
     drive_catalog const* drive_;
     std::vector<chosen_register> found_;
-    std::set<std::pair<std::uint16_t, int>> seen_;
+    std::set<place> seen_;
 };
 
 /// The codes of a drive's registers, for the search of the nearest.
@@ -72,6 +77,9 @@ std::vector<std::string_view> codes_of(drive_catalog const& drive)
 
 refusal_or_none collector::add_word(std::string_view word)
 {
+    if (is_place_word(word)) {
+        return add_places(word);
+    }
     if (register_entry const* const entry = drive_ == nullptr ? nullptr : drive_->by_menu(word); entry != nullptr) {
         add(entry->address);
         return {};
@@ -81,7 +89,8 @@ refusal_or_none collector::add_word(std::string_view word)
         return add_numbers(word, word.find('-'));
     }
     if (drive_ == nullptr and not(not word.empty() and is_digit(word[0]))) {
-        return unknown("no_drive", word, "no drive is known, so there are only addresses; name one with --drive", "");
+        return unknown("no_drive", word,
+                       "no drive is known, so there are only addresses (40, input:40:f32); name one with --drive", "");
     }
     if (word.starts_with('@')) {
         return add_group(word);
@@ -90,6 +99,15 @@ refusal_or_none collector::add_word(std::string_view word)
         return add_bit(word, dot);
     }
     return word.find_first_of("*?") != word.npos ? add_matches(word) : add_code(word);
+}
+
+refusal_or_none collector::add_places(std::string_view word)
+{
+    places_typed typed = read_places(word);
+    for (place const& each : typed.places) {
+        add(each);
+    }
+    return std::move(typed.refused);
 }
 
 refusal_or_none collector::add_numbers(std::string_view word, std::size_t dash)
@@ -220,6 +238,18 @@ register_selection select_registers(std::span<std::string_view const> words, dri
         }
     }
     return {found.take(), {}};
+}
+
+std::optional<refusal> wrong_place_in(std::span<std::string_view const> words)
+{
+    for (std::string_view const word : words) {
+        for (std::string_view const part : parts_of(word)) {
+            if (auto wrong = is_place_word(part) ? read_places(part).refused : std::nullopt) {
+                return wrong;
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 std::string_view first_menu_number(std::span<std::string_view const> words)

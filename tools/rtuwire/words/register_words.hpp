@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // What a person types for registers: `RFR`, `'DP*'`, `@monitor`, `ETA.fault`, `3202`, `0x0C82`, `3201-3205`, `705.0` (a
-// number of the drive's menu, where that is known), several of them in one word with commas between.
+// number of the drive's menu, where that is known), places of any device (`input:40:f32`), several of them in one word
+// with commas between.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +14,15 @@
 #include <vector>
 
 #include "catalog/catalog.hpp"
+#include "words/place.hpp"
 #include "words/words.hpp"
 
 namespace tool {
 
-/// One register, or one bit of it, that was asked for.
+/// A place that was asked for, and what a drive has there.
 struct chosen_register {
-    std::uint16_t address;
+    place where;
     register_entry const* entry; ///< null where no table knows the address
-    int bit{-1};                 ///< 0..15, or -1 for the whole word
 
     friend bool operator==(chosen_register const&, chosen_register const&) = default;
 };
@@ -50,6 +51,9 @@ struct register_group {
 
 /// The registers that words name. Without a drive (null) there are only numbers.
 [[nodiscard]] register_selection select_registers(std::span<std::string_view const> words, drive_catalog const* drive);
+
+/// Why one of the words that are places of any device is none: no drive's table would help.
+[[nodiscard]] std::optional<refusal> wrong_place_in(std::span<std::string_view const> words);
 
 /// The first word that is a number of some drive's menu: "611", "705.0". Elsewhere it is an address, or a bit.
 [[nodiscard]] std::string_view first_menu_number(std::span<std::string_view const> words);

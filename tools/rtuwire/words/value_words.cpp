@@ -63,11 +63,15 @@ private:
         if (chosen.registers.size() != 1) {
             return refuse("several_registers", "a value goes to one register");
         }
-        if (chosen.registers[0].bit >= 0) {
+        if (chosen.registers[0].where.bit >= 0) {
             return refuse("single_bit", "a register is written as a whole: name all its bits that shall be 1, as in "
                                         "CMD=switch_on+quick_stop");
         }
-        found_.address = chosen.registers[0].address;
+        if (place const& where = chosen.registers[0].where;
+            where.space != register_space::holding or not where.form.said.empty()) {
+            return refuse("wrong_place", "only holding registers are written, as whole words: REG=VALUE");
+        }
+        found_.address = chosen.registers[0].where.address;
         found_.entry = chosen.registers[0].entry;
         if (found_.entry != nullptr and not found_.entry->is_writable()) {
             return refuse("read_only", std::string{found_.entry->code} + " is read only");
