@@ -167,7 +167,8 @@ def check_no_identity(tool, check):
             check(ended.status == DONE and ended.objects()[0]["raw"] == 0, f"an {drive} is known by its registers", ended)
             check({request[1] for request in line.requests} == {3, 43}, "by reads only")
     everything = dict.fromkeys(range(65_536), 0)
-    for what, registers, ignored in (("few registers", {100: 5}, (43,)), ("any register", everything, (43,)),
+    low = {**dict.fromkeys(range(42), 1), 100: 5}
+    for what, registers, ignored in (("few registers", {100: 5}, (43,)), ("low registers, as modules have", low, ()), ("any register", everything, (43,)),
                                      ("any register, and refuses function 43", everything, ())):
         with Units({7: registers}, ignored=ignored) as line:
             how = ["--port", line.name, "--no-listen", "--timeout", 1, "--retries", 0, "-u", 7]

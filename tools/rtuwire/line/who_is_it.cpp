@@ -130,7 +130,8 @@ public:
     {
         candidates found;
         for (drive_catalog const* const each : all) {
-            bool fits = true;
+            // One register alone may be anybody's: low addresses are those of most modules.
+            bool fits = has(each->layout.eta, errc::none) and has(each->layout.lft, errc::none);
             for (drive_catalog const* const other : all) {
                 fits = fits and (other == each or (has(only_in(*each, *other), errc::none) and
                                                    has(only_in(*other, *each), errc::illegal_data_address)));
