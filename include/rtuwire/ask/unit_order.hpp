@@ -34,6 +34,22 @@ enum class stop_words : std::uint8_t {
 /// What is known of one unit. All zero where nothing is known, so that a `constinit` client lives in .bss; the times
 /// are written before they are read.
 struct unit_order {
+    // Small processors reach bytes with short instructions only where they are near.
+    std::uint8_t unit{0}; ///< 0: a free place
+    bool is_ordered{false};
+    bool is_starting{false}; ///< the command to run was sent; neither seen with power nor told to stop since
+    bool is_doubtful{false}; ///< it may have been without power since `confirmed` was read
+    bool is_lost{false};
+    bool was_lost{false};   ///< the last stop was a loss
+    std::uint8_t misses{0}; ///< missing responses in a row
+    std::uint8_t tolerated{0};
+    std::uint8_t answers_left{
+        0}; ///< not 0: its motor may run, and no order or stop is in force; lost after so many answers
+    std::uint8_t passes_left{0}; ///< that the stop under way may miss before it counts as given up
+    stop_words words{stop_words::none};
+    hold held{hold::by_its_stop};
+    std::uint16_t confirmed{0}; ///< the control word that was read to be that of the drive profile; 0: none
+    std::uint16_t seen{0};      ///< when the stop under way visited last, in steps of 65.5 ms
     instant words_end{0};
     instant silence_end{0};
     instant heard{0};   ///< when the last request was made that it answered
@@ -45,21 +61,6 @@ struct unit_order {
     std::uint32_t rearranged{0}; ///< of the last request that rearranged it
     std::uint32_t holder{0};     ///< of the stop under way; 0: none
     std::uint32_t looks{0};      ///< all answers since it was left or told to stop, one to a commander being several
-    std::uint16_t confirmed{0};  ///< the control word that was read to be that of the drive profile; 0: none
-    std::uint16_t seen{0};       ///< when the stop under way visited last, in steps of 65.5 ms
-    bool is_doubtful{false};     ///< it may have been without power since that was read
-    std::uint8_t unit{0};        ///< 0: a free place
-    std::uint8_t misses{0};      ///< missing responses in a row
-    std::uint8_t tolerated{0};
-    bool is_ordered{false};
-    bool is_starting{false}; ///< the command to run was sent; neither seen with power nor told to stop since
-    bool is_lost{false};
-    bool was_lost{false}; ///< the last stop was a loss
-    std::uint8_t answers_left{
-        0}; ///< not 0: its motor may run, and no order or stop is in force; lost after so many answers
-    std::uint8_t passes_left{0}; ///< that the stop under way may miss before it counts as given up
-    stop_words words{stop_words::none};
-    hold held{hold::by_its_stop};
 };
 inline constexpr unit_order nothing_known{};
 
