@@ -713,11 +713,11 @@ private:
     // which ends with the memory of a frame.
     [[no_unique_address]] detail::turns turns_;
     bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
+    [[no_unique_address]] std::conditional_t<Orders::is_kept, detail::reservation, detail::no_reservation>
+        reservation_{};
     detail::transaction<Needs> transaction_;
     instant seen_{0}; ///< the latest `advance`
     [[no_unique_address]] Orders orders_;
-    [[no_unique_address]] std::conditional_t<Orders::is_kept, detail::reservation, detail::no_reservation>
-        reservation_{};
 };
 
 /// A client that counts nothing.
