@@ -22,7 +22,7 @@ enum class run_direction : std::uint8_t { forward, reverse };
 
 /// A reference as a register write. Its word is signed: below zero turns the motor in reverse.
 /// Internal.
-struct reference_write {
+struct alignas(4) reference_write { // two words, else a copy is a call of memcpy
     std::uint16_t address;
     std::uint16_t word;
     bool is_speed{false}; ///< in rpm, else in 0.1 Hz

@@ -189,7 +189,7 @@ private:
             return next;
         }
         stage_ = stage::looking;
-        reference_ = signed_for_drive(reference_);
+        reference_.word = signed_for_drive(reference_);
         return judge(as_met(status));
     }
 

@@ -56,10 +56,10 @@ protected:
         return check_.reason().kind == outcome_kind::succeeded and reason().kind == outcome_kind::pending;
     }
     [[nodiscard]] constexpr reference_limits const& limits() const noexcept { return check_.report().limits; }
-    /// The same reference, with its sign in the drive's steps, too.
-    [[nodiscard, gnu::noinline]] constexpr reference_write signed_for_drive(reference_write what) const noexcept
+    /// The word of a reference, with its sign in the drive's steps, too.
+    [[nodiscard, gnu::noinline]] constexpr std::uint16_t signed_for_drive(reference_write what) const noexcept
     {
-        return what.at_least(limits().least_speed());
+        return what.at_least(limits().least_speed()).word;
     }
 
     /// Whether the STOP key was pressed since the status read before. A drive that was stopped by the key earlier shows

@@ -292,7 +292,7 @@ private:
         if (not is_ready or next != cia402::command::enable_operation) {
             return send_command(next, 0);
         }
-        told_ = signed_for_drive(reference_);
+        told_.word = signed_for_drive(reference_);
         return write_reference(stage::writing_reference);
     }
 
@@ -358,7 +358,7 @@ private:
     constexpr action run(std::uint16_t status) noexcept
     {
         if (stage_ != stage::enabled) {
-            told_ = reference_.keeping(status);
+            told_.word = reference_.keeping(status).word;
             shown_ = outcome_kind::pending;
             stage_ = stage::reading_direction;
             return once(to_read(layout().cmd));
@@ -386,7 +386,7 @@ private:
             return abort(outcome_kind::overwritten);
         }
         control_ = control;
-        told_ = signed_for_drive(told_.under(control));
+        told_.word = signed_for_drive(told_.under(control));
         if (limits().judge(told_, false) == outcome_kind::succeeded) {
             return write_reference(stage::redirecting);
         }
