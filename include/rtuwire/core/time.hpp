@@ -85,7 +85,8 @@ struct duration {
     }
 
     friend constexpr bool operator==(duration, duration) noexcept = default;
-    friend constexpr auto operator<=>(duration left, duration right) noexcept
+    /// Inlined: for size, GCC would call it for each comparison, and then compare what it returns.
+    [[gnu::always_inline]] friend constexpr auto operator<=>(duration left, duration right) noexcept
     {
         return left.microseconds <=> right.microseconds;
     }
