@@ -19,7 +19,6 @@ struct hand_commander : commander {
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
                                                         .freshness = freshness::when_free};
 
-    unsigned of;
     effect wanted{effect::none};
     repetition again{repetition::never};
     bool has_request{false};
@@ -30,7 +29,9 @@ struct hand_commander : commander {
     unsigned losses{0};                    ///< that it was told of
     frame_bytes frame{};
 
-    explicit hand_commander(unsigned unit, std::uint8_t tolerated = 0) : of{unit}, tolerates{tolerated} {}
+    explicit hand_commander(unsigned unit, std::uint8_t tolerated = 0)
+        : commander{*unit_id::checked(unit)}, tolerates{tolerated}
+    {}
 
     using commander::heed_stop;
     using commander::note_arrangement;
@@ -41,16 +42,17 @@ struct hand_commander : commander {
     using commander::note_power;
     using commander::note_stop;
     using commander::note_stop_over;
+    using commander::unit;
     using commander::was_stopped;
 
-    unit_id unit() const { return *unit_id::checked(of); }
+    unsigned of() const { return unit().byte(); }
     effect intent() const { return has_request ? effect_now(wanted) : effect::none; }
     std::optional<request_frame> next()
     {
         if (not has_request) {
             return std::nullopt;
         }
-        frame = wanted == effect::none ? read_of(of, 3'201) : write_of(of, 8'501, word());
+        frame = wanted == effect::none ? read_of(of(), 3'201) : write_of(of(), 8'501, word());
         return request_frame{frame, again};
     }
     void accept(result<response> const& outcome)
@@ -61,7 +63,7 @@ struct hand_commander : commander {
     bool settled() const { return not has_request and not goes_on; }
     void note_loss() { ++losses; }
     duration drive_timeout() const { return timeout; }
-    bool is_in_force() const { return is_order_in_force(unit()); }
+    bool is_in_force() const { return is_order_in_force(); }
     std::uint8_t tolerated_misses() const { return tolerates; }
 
 private:
@@ -79,7 +81,7 @@ struct hand_for_all : commander {
     frame_bytes frame{};
     std::vector<unsigned> unlisted{}; ///< the control words of ordered units that are not its own
 
-    explicit hand_for_all(unsigned unit) : each{hand_commander{unit}} {}
+    explicit hand_for_all(unsigned unit) : commander{broadcast}, each{hand_commander{unit}} {}
 
     using commander::note_stop;
     using commander::note_stop_over;

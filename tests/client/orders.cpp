@@ -68,10 +68,10 @@ TEST_CASE("rule 36: an order to one copy of a client that was never used moves n
     static constinit orders<1> one{unused}, other{unused};
     hand_commander who{3};
     who.note_order_to_run();
-    one.visit(who, 3, instant{1});
-    CHECK(one.check(who, 3, effect::enabling) == errc::none);
-    other.visit(who, 3, instant{2});
-    CHECK(other.check(who, 3, effect::enabling) == errc::overruled);
+    one.visit(who, instant{1});
+    CHECK(one.check(who, effect::enabling) == errc::none);
+    other.visit(who, instant{2});
+    CHECK(other.check(who, effect::enabling) == errc::overruled);
 }
 
 TEST_CASE("rule 36: an order that was given before its commander saw a stop, a loss or a fault is "

@@ -371,7 +371,7 @@ TEST_CASE("rule 38: what has not left when a stop comes by is told as overruled 
         stop.wanted = effect::stopping;
         it.link.converse(stop, it.now());
         REQUIRE(it.leaves());
-        CHECK(it.left == write_of(stop.of, 8'501, 0));
+        CHECK(it.left == write_of(stop.of(), 8'501, 0));
         it.hear(response_to(it.left));
         it.link.converse(one, it.now());
         CHECK(one.told == (is_own ? errc::overruled : errc::cancelled));

@@ -16,7 +16,8 @@ struct hand_stop : commander {
     std::optional<request_frame> next() const { return std::nullopt; }
     void accept(result<response> const&) {}
     bool settled() const { return true; }
-    unit_id unit() const { return unit_id{1}; }
+    using commander::commander;
+    using commander::unit;
     effect intent() const { return effect::stopping; }
     duration drive_timeout() const { return milliseconds(1'000); }
     std::uint8_t tolerated_misses() const { return 0; }
@@ -35,7 +36,7 @@ struct stop_of_some : commander {
 #ifndef REFUSED
     bool may_cut(std::uint8_t) const { return false; }
 #endif
-    std::array<hand_stop, 1> one{};
+    std::array<hand_stop, 1> one{hand_stop{unit_id{1}}};
 };
 
 void pass(drive_client<>& line, stop_of_some& conversation, instant now) { line.converse(conversation, now); }

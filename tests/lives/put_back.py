@@ -43,7 +43,7 @@ DEFECTS = [
 """, ""),
     ], {"a stop that was done", "a stop whose word"}),
     Defect("D19 a start runs behind a stop of the same client", [
-        (RUNNER, "return is_done() and is_order_in_force(unit_);", "return is_done();"),
+        (RUNNER, "return is_done() and is_order_in_force();", "return is_done();"),
     ], {"a start that says that the motor runs"}),
     Defect("D20 a reference of 0 in reverse is one forward", [
         ("altivar/device/reference.hpp", "has_no_other ? ~unsigned{word} : 0U - word", "0U - word"),

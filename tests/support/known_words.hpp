@@ -15,15 +15,15 @@ using namespace detail;
 
 /// Somebody who has just read it.
 struct reader_of_meaning : commander {
-    constexpr reader_of_meaning() { note_meaning(altivar::later_control_word); }
+    explicit constexpr reader_of_meaning(unit_id unit) : commander{unit} { note_meaning(altivar::later_control_word); }
 };
 
 /// A unit of this client.
 template <std::size_t Units> constexpr void confirm_words(orders<Units>& known, unit_id unit, instant now)
 {
-    reader_of_meaning who;
+    reader_of_meaning who{unit};
     known.note_start(now);
-    static_cast<void>(known.visit(who, unit.byte(), now));
+    static_cast<void>(known.visit(who, now));
 }
 
 /// The unit of a conversation that has no client.
@@ -31,7 +31,7 @@ template <typename Conversation> constexpr Conversation with_known_words(Convers
 {
     orders<1> known;
     confirm_words(known, told.unit(), instant{0});
-    known.tell(told, told.unit().byte());
+    known.tell(told);
     return told;
 }
 

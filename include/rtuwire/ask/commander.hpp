@@ -52,6 +52,9 @@ inline constexpr duration longest_gap_in_presence = milliseconds(500);
 /// the client takes that over when the conversation visits (`converse` is called for it).
 class commander : public asker {
 public:
+    /// Of one unit, or of all.
+    explicit constexpr commander(destination whose) noexcept : whose_{whose} {}
+
     /// Whether its unit is lost and gets no request now, stop requests included.
     [[nodiscard]] constexpr bool is_silenced() const noexcept { return is_silenced_; }
 
@@ -71,6 +74,9 @@ public:
     [[nodiscard]] constexpr bool says_run() const noexcept { return says_run_; }
 
 protected:
+    /// The unit whose motor it commands, where it is one.
+    [[nodiscard]] constexpr unit_id unit() const noexcept { return whose_.unit(); }
+
     /// It begins anew in the place of `former`, which it was: its order is given now, and not where it visits next. The client
     /// that it visited last has not been destroyed, or another one was made in its place.
     constexpr void begin_anew(commander const& former) noexcept
@@ -163,14 +169,14 @@ protected:
     /// Whether its order to run still counts for the client that it visited last, which must not have been destroyed: that
     /// has not stopped or lost the unit since, nor read it in fault or without power, nor ordered it to run anew. It may
     /// have been made anew in its place, and does not count it then. True before the first visit.
-    [[nodiscard]] constexpr bool is_order_in_force(unit_id unit) const noexcept
+    [[nodiscard]] constexpr bool is_order_in_force() const noexcept
     {
-        return known_ == nullptr or (end_of_order(unit) == errc::none and not is_replaced());
+        return known_ == nullptr or (end_of_order() == errc::none and not is_replaced());
     }
 
     /// What has ended its order to move the motor, apart from another order: `overruled`, a stop; `unit_lost`, a loss, a silence
     /// longer than the drive's time-out, a fault, or a status without power. Of the client as above.
-    [[nodiscard]] constexpr errc end_of_order(unit_id unit) const noexcept
+    [[nodiscard]] constexpr errc end_of_order() const noexcept
     {
         if (known_ == nullptr) {
             return errc::none;
@@ -180,15 +186,15 @@ protected:
             return errc::overruled;
         }
         bool const stands =
-            known_->unit == unit.byte() and known_->is_ordered and not is_older(stamp_, known_->last_fault);
+            known_->unit == whose_.byte() and known_->is_ordered and not is_older(stamp_, known_->last_fault);
         return is_stopped or not stands ? errc::unit_lost : errc::none;
     }
 
     /// Whether the order to run that counts is another conversation's: later than any of its own and than its stops, and
     /// neither stopped nor lost since, nor read in fault. As far as the client knows that it visited last.
-    [[nodiscard]] constexpr bool is_ordered_by_another(unit_id unit) const noexcept
+    [[nodiscard]] constexpr bool is_ordered_by_another() const noexcept
     {
-        if (known_ == nullptr or known_->unit != unit.byte()) {
+        if (known_ == nullptr or known_->unit != whose_.byte()) {
             return false;
         }
         std::uint32_t const order = known_->last_order;
@@ -229,6 +235,7 @@ private:
     bool is_silenced_{false};
     bool is_overruled_{false};
     bool is_unit_ordered_{false};
+    destination whose_;
     std::uint16_t read_meaning_of_{0};
     std::uint16_t confirmed_{0};
     std::uint32_t counted_by_{0};      ///< the number of the client whose count the next two are

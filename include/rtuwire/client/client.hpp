@@ -314,7 +314,7 @@ public:
     constexpr void command(Conversation& conversation, instant now, bool may_ask = true) noexcept
     {
         if constexpr (Orders::is_kept and detail::may_be_stop<Conversation>) {
-            orders_.tell(conversation, conversation.unit().byte()); // what it begins with depends on it
+            orders_.tell(conversation); // what it begins with depends on it
         }
         detail::advance_conversation(conversation, now);
         if constexpr (detail::commanding_conversation<Conversation> or detail::stops_by_broadcast<Conversation>) {
@@ -566,16 +566,15 @@ private:
     /// A commander of one unit visits.
     template <typename Conversation> constexpr void visit(Conversation& conversation, instant now) noexcept
     {
-        std::uint8_t const unit = conversation.unit().byte();
-        if (orders_.visit(conversation, unit, now)) {
+        if (orders_.visit(conversation, now)) {
             conversation.note_loss();
         }
         if (not conversation.settled()) {
-            orders_.note_under_way(conversation, unit);
+            orders_.note_under_way(conversation);
         }
         if constexpr (detail::may_be_stop<Conversation>) {
             if (conversation.take_other_family()) {
-                orders_.leave_alone(unit, now);
+                orders_.leave_alone(conversation.unit().byte(), now);
             }
         }
     }
@@ -616,7 +615,7 @@ private:
     constexpr errc check_order(Conversation const& conversation, detail::effect what) const noexcept
     {
         if constexpr (detail::commanding_conversation<Conversation>) {
-            return orders_.check(conversation, conversation.unit().byte(), what);
+            return orders_.check(conversation, what);
         }
         return errc::none;
     }
@@ -624,8 +623,7 @@ private:
     template <typename Conversation> constexpr void note_asked(Conversation& conversation, detail::effect what) noexcept
     {
         if constexpr (detail::commanding_conversation<Conversation>) {
-            orders_.note_asked(conversation, conversation.unit().byte(), what, conversation.drive_timeout(),
-                               conversation.tolerated_misses());
+            orders_.note_asked(conversation, what, conversation.drive_timeout(), conversation.tolerated_misses());
         } else if constexpr (detail::stops_by_broadcast<Conversation>) {
             for (auto& each : conversation.stops()) {
                 if (each.unit().byte() == asked_unit()) {
@@ -641,7 +639,7 @@ private:
     template <typename Conversation> constexpr errc reason_of_drop(Conversation const& conversation) const noexcept
     {
         if constexpr (detail::commanding_conversation<Conversation>) {
-            return orders_.is_overruled(conversation, conversation.unit().byte()) ? errc::overruled : errc::cancelled;
+            return orders_.is_overruled(conversation) ? errc::overruled : errc::cancelled;
         }
         return errc::cancelled;
     }

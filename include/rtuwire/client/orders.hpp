@@ -102,9 +102,9 @@ public:
     // What commanders tell when they visit, and what they are told.
 
     /// What is known of a commander's unit before it begins.
-    constexpr void tell(commander& who, std::uint8_t unit) const noexcept
+    constexpr void tell(commander& who) const noexcept
     {
-        unit_order const& own = places_.of(unit);
+        unit_order const& own = places_.of(who.whose_.byte());
         who.is_unit_ordered_ = own.is_ordered;
         if (who.read_meaning_of_ == 0) { // else what it read is newer
             tell(who, own);
@@ -122,24 +122,27 @@ public:
 
     /// A commander of one unit visits: notes what its user wants, and what it read. Returns whether its unit was lost
     /// since its last visit.
-    constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept
+    constexpr bool visit(commander& who, instant now) noexcept
     {
         meet(who);
-        bool const is_lost = has_lost(who, unit);
+        unit_order const& before = places_.of(who.whose_.byte());
+        bool const is_lost = before.is_lost and is_older(who.seen_, before.last_stop);
         // An order given since the last visit may be older than what happened meanwhile.
-        bool const is_doubtful = (who.has_come_by_ and has_happened(who.seen_, unit)) or
-                                 (who.ordered_behind_ != 0 and has_happened(who.ordered_behind_, unit));
+        bool const is_doubtful = (who.has_come_by_ and has_happened(who.seen_, before)) or
+                                 (who.ordered_behind_ != 0 and has_happened(who.ordered_behind_, before));
         who.ordered_behind_ = 0;
         who.was_stopped_ = who.was_stopped_ or is_doubtful;
-        tell_arrangement(who, unit);
-        take_notes(who, unit, is_doubtful, now);
+        // One that visits for the first time has read nothing yet that this could have changed.
+        bool const is_rearranged = who.has_come_by_ and is_older(who.seen_, before.rearranged);
+        who.was_rearranged_ = who.was_rearranged_ or is_rearranged;
+        take_notes(who, is_doubtful, now);
         if (who.is_stopping_) {
-            keep_hold(who, unit, now);
+            keep_hold(who, now);
         }
         who.has_come_by_ = true;
         who.seen_ = count_;
-        who.is_silenced_ = is_silent(unit, effect::stopping);
-        unit_order const& own = places_.of(unit);
+        who.is_silenced_ = is_silent(who.whose_.byte(), effect::stopping);
+        unit_order const& own = places_.of(who.whose_.byte());
         who.is_overruled_ = is_stopped_later(who, own) and not is_by_loss(own);
         who.is_unit_ordered_ = own.is_ordered;
         who.known_ = &own;
@@ -149,9 +152,9 @@ public:
 
     /// A commander goes on behind its visit. Until its own order enables the unit, a motor that runs by the one before is held by
     /// that, for so many answers in all.
-    constexpr void note_under_way(commander const& who, std::uint8_t unit) noexcept
+    constexpr void note_under_way(commander const& who) noexcept
     {
-        unit_order* const own = places_.find(unit);
+        unit_order* const own = places_.find(who.whose_.byte());
         bool const is_left = own != nullptr and own->answers_left != 0 and own->last_order == who.stamp_;
         if (is_left and not is_stopped_later(who, *own) and not is_older(who.stamp_, own->last_fault)) {
             own->answers_left = most_answers;
@@ -161,14 +164,14 @@ public:
     /// Whether a request of this effect may be sent, apart from a silence: `overruled` where a stop came later than
     /// the order, or another stop is under way, or the unit was rearranged after its commander read it; `unit_lost`
     /// where a loss came later; `too_many_ordered` where there is no place for one more unit.
-    [[nodiscard]] constexpr errc check(commander const& who, std::uint8_t unit, effect what) const noexcept
+    [[nodiscard]] constexpr errc check(commander const& who, effect what) const noexcept
     {
         if (what == effect::none) {
             return errc::none;
         }
-        unit_order const& own = places_.of(unit);
+        unit_order const& own = places_.of(who.whose_.byte());
         if (what == effect::stopping) {
-            return has_another_stop(who, unit) ? errc::overruled : errc::none;
+            return has_another_stop(who) ? errc::overruled : errc::none;
         }
         bool const is_late = is_stopped_later(who, own) or (what == effect::enabling and has_newer(own, who));
         if (own.holder != 0 or holder_of_all_ != 0 or is_late) {
@@ -180,25 +183,24 @@ public:
         if (who.was_rearranged_) {
             return errc::overruled;
         }
-        return places_.is_full_for(unit) ? errc::too_many_ordered : errc::none;
+        return places_.is_full_for(who.whose_.byte()) ? errc::too_many_ordered : errc::none;
     }
 
     /// Whether another stop, or a later one, overrules this commander of the unit.
-    [[nodiscard]] constexpr bool is_overruled(commander const& who, std::uint8_t unit) const noexcept
+    [[nodiscard]] constexpr bool is_overruled(commander const& who) const noexcept
     {
-        return check(who, unit, who.is_stopping_ ? effect::stopping : effect::enabling) == errc::overruled;
+        return check(who, who.is_stopping_ ? effect::stopping : effect::enabling) == errc::overruled;
     }
 
     /// A request of this effect was taken from a commander.
-    constexpr void note_asked(commander& who, std::uint8_t unit, effect what, duration drive_timeout,
-                              std::uint8_t tolerated) noexcept
+    constexpr void note_asked(commander& who, effect what, duration drive_timeout, std::uint8_t tolerated) noexcept
     {
         is_by_commander_ = true;
         switch (what) {
         case effect::enabling:
-        case effect::resetting: return note_enabling(who, unit, drive_timeout, tolerated);
-        case effect::rearranging: return note_rearranging(unit);
-        case effect::stopping: return note_stopping(who, unit, drive_timeout);
+        case effect::resetting: return note_enabling(who, drive_timeout, tolerated);
+        case effect::rearranging: return note_rearranging(who.whose_.byte());
+        case effect::stopping: return note_stopping(who, drive_timeout);
         case effect::none: break;
         }
     }
@@ -436,14 +438,14 @@ private:
         who.is_doubtful_ = own.is_doubtful;
     }
 
-    constexpr void take_notes(commander& who, std::uint8_t unit, bool is_doubtful, instant now) noexcept
+    constexpr void take_notes(commander& who, bool is_doubtful, instant now) noexcept
     {
-        if (unit_order* const own = places_.find(unit)) {
+        if (unit_order* const own = places_.find(who.whose_.byte())) {
             note_power(*own, who.power_seen_);
         }
         who.power_seen_ = power_seen::nothing;
         if (who.has_read_fault_ or who.read_meaning_of_ != 0) {
-            unit_order* const found = places_.make(unit);
+            unit_order* const found = places_.make(who.whose_.byte());
             unit_order& own = found == nullptr ? places_.others() : *found;
             own.last_fault = who.has_read_fault_ ? ++count_ : own.last_fault;
             // What was read of a unit without a place is forgotten at once.
@@ -461,16 +463,16 @@ private:
                 who.takes_over_ = false;
             } else {
                 who.stamp_ = ++count_;
-                take_over(who, unit, now);
+                take_over(who, now);
             }
         }
         if (who.has_stopped_) {
             who.has_stopped_ = false;
-            begin_stop(who, unit);
+            begin_stop(who);
         }
         if (who.is_over_) {
             who.is_over_ = false;
-            end_stop(who, unit);
+            end_stop(who);
         }
     }
 
@@ -506,29 +508,15 @@ private:
     }
 
     /// Whether there was a stop, a loss or a fault since.
-    constexpr bool has_happened(std::uint32_t since, std::uint8_t unit) const noexcept
+    constexpr bool has_happened(std::uint32_t since, unit_order const& own) const noexcept
     {
-        unit_order const& own = places_.of(unit);
         return is_older(since, own.last_stop) or is_older(since, own.last_fault) or is_older(since, stopped_all_);
     }
 
-    constexpr bool has_lost(commander const& who, std::uint8_t unit) const noexcept
-    {
-        unit_order const& own = places_.of(unit);
-        return own.is_lost and is_older(who.seen_, own.last_stop);
-    }
-
-    /// A commander that visits for the first time has read nothing yet that this could have changed.
-    constexpr void tell_arrangement(commander& who, std::uint8_t unit) const noexcept
-    {
-        bool const is_new = who.has_come_by_ and is_older(who.seen_, places_.of(unit).rearranged);
-        who.was_rearranged_ = who.was_rearranged_ or is_new;
-    }
-
     /// The silence of its unit before it, which ended older orders, does not end this one. It has left the unit doubtful.
-    constexpr void take_over(commander& who, std::uint8_t unit, instant now) noexcept
+    constexpr void take_over(commander& who, instant now) noexcept
     {
-        unit_order* const own = who.takes_over_ ? places_.make(unit) : nullptr;
+        unit_order* const own = who.takes_over_ ? places_.make(who.whose_.byte()) : nullptr;
         who.takes_over_ = false;
         if (own != nullptr) {
             own->last_order = who.stamp_;
@@ -554,10 +542,9 @@ private:
         return is_replaced or is_older(who.stamp_, own.last_fault);
     }
 
-    constexpr void note_enabling(commander const& who, std::uint8_t unit, duration drive_timeout,
-                                 std::uint8_t tolerated) noexcept
+    constexpr void note_enabling(commander const& who, duration drive_timeout, std::uint8_t tolerated) noexcept
     {
-        if (unit_order* const own = places_.make(unit)) {
+        if (unit_order* const own = places_.make(who.whose_.byte())) {
             own->last_order = own->last_order == 0 ? who.stamp_ : own->last_order; // its place was lost meanwhile
             own->is_starting = own->is_starting or who.says_run_;
             // Else it was read for the order that is in force, and here it may not be.
@@ -582,9 +569,9 @@ private:
 
     /// A unit that was not ordered here is left alone for the time that its drive's type gives. Where another conversation's
     /// order ran the motor, as beside a cycle without one, that order is over: each of the two would undo the other's words.
-    constexpr void note_stopping(commander& who, std::uint8_t unit, duration drive_timeout) noexcept
+    constexpr void note_stopping(commander& who, duration drive_timeout) noexcept
     {
-        if (unit_order* const own = places_.find(unit)) {
+        if (unit_order* const own = places_.find(who.whose_.byte())) {
             own->is_starting = false;
             if (not who.is_stopping_ and own->last_order != 0 and is_older(who.stamp_, own->last_order)) {
                 own->last_stop = ++count_;
@@ -619,12 +606,12 @@ private:
         }
     }
 
-    constexpr void begin_stop(commander& who, std::uint8_t unit) noexcept
+    constexpr void begin_stop(commander& who) noexcept
     {
         who.stamp_ = ++count_;
         who.is_stopping_ = true;
-        unit_order& own = place_of(unit);
-        own.unit = unit; // for the units without a place: which one is held
+        unit_order& own = place_of(who.whose_.byte());
+        own.unit = who.whose_.byte(); // for the units without a place: which one is held
         own.last_stop = count_;
         own.holder = count_;
         own.held = hold::by_its_stop;
@@ -634,12 +621,12 @@ private:
 
     /// A stop under way visits: a place that has become free goes to its unit, and where the stop of another unit
     /// without a place has ended, this one goes on holding.
-    constexpr void keep_hold(commander const& who, std::uint8_t unit, instant now) noexcept
+    constexpr void keep_hold(commander const& who, instant now) noexcept
     {
-        unit_order& own = place_of(unit);
+        unit_order& own = place_of(who.whose_.byte());
         bool const is_back = own.held == hold::by_nobody and own.holder == who.stamp_;
         if (own.holder == 0 or own.held == hold::by_another_stop or is_back) {
-            own.unit = unit;
+            own.unit = who.whose_.byte();
             own.holder = who.stamp_;
             own.held = hold::by_its_stop;
             own.answers_left = 0;
@@ -652,11 +639,11 @@ private:
 
     /// A stop has ended: ends its holds, also those of units that got their places since; and the hold of an earlier
     /// stop of this unit that was given up before the unit had a place. Orders given before no longer count.
-    constexpr void end_stop(commander& who, std::uint8_t unit) noexcept
+    constexpr void end_stop(commander& who) noexcept
     {
         who.is_stopping_ = false;
         unit_order const& others = places_.others();
-        std::uint32_t const given_up = others.unit == unit ? others.holder : who.stamp_;
+        std::uint32_t const given_up = others.unit == who.whose_.byte() ? others.holder : who.stamp_;
         end_hold(places_.others(), who.stamp_, given_up);
         for (unit_order& each : places_) {
             end_hold(each, who.stamp_, given_up);
@@ -664,9 +651,9 @@ private:
     }
 
     /// Whether another stop of the unit has begun since.
-    [[nodiscard]] constexpr bool has_another_stop(commander const& who, std::uint8_t unit) const noexcept
+    [[nodiscard]] constexpr bool has_another_stop(commander const& who) const noexcept
     {
-        unit_order const* const own = places_.find(unit);
+        unit_order const* const own = places_.find(who.whose_.byte());
         bool const stops_all = holder_of_all_ != 0 and who.stamp_ == holder_of_all_;
         return own != nullptr and own->holder != 0 and own->holder != who.stamp_ and
                own->held != hold::by_another_stop and own->held != hold::by_nobody and not stops_all;

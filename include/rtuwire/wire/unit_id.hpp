@@ -20,6 +20,8 @@ void a_unit_address_is_1_to_247();
 
 namespace detail {
 
+class destination;
+
 /// A number in source code that is a unit address. A class of its own, because Clang 14 crashes on the second
 /// use of a class whose own constructor is consteval.
 class unit_number {
@@ -62,6 +64,8 @@ public:
     friend constexpr auto operator<=>(unit_id, unit_id) noexcept = default;
 
 private:
+    friend class detail::destination;
+
     struct from_wire {};
     constexpr unit_id(from_wire, std::uint8_t byte) noexcept : byte_{byte} {}
 
@@ -86,6 +90,9 @@ public:
     constexpr destination(broadcast_t) noexcept : byte_{0} {}
 
     [[nodiscard]] constexpr bool is_broadcast() const noexcept { return byte_ == 0; }
+
+    /// The unit, where it is one.
+    [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_id{unit_id::from_wire{}, byte_}; }
 
     /// The address as it stands on the wire; 0 for broadcast.
     [[nodiscard]] constexpr std::uint8_t byte() const noexcept { return byte_; }

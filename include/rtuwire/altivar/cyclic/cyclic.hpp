@@ -46,8 +46,8 @@ public:
     static constexpr frame_sizes longest_frames = cycle_frames<Device>::longest;
 
     explicit constexpr cyclic(station<Device> const& its_drive, cyclic_options const& its_options = {}) noexcept
-        : steps_{its_drive.unit(), its_options}, enable_timeout_{its_options.enable_timeout},
-          tolerated_misses_{its_options.tolerated_misses}
+        : commander{its_drive.unit()}, steps_{its_drive.unit(), its_options},
+          enable_timeout_{its_options.enable_timeout}, tolerated_misses_{its_options.tolerated_misses}
     {}
 
     /// Orders operation at a speed (a frequency where the drive's cycle writes one), negative in reverse; 0 in reverse, or
@@ -125,7 +125,7 @@ public:
     /// failed.
     [[nodiscard]] constexpr bool link_lost() const noexcept { return steps_.is_lost(); }
 
-    [[nodiscard]] constexpr unit_id unit() const noexcept { return steps_.frames().unit(); }
+    using commander::unit;
 
     /// For the client: the effect of the next request on the motor, and how a loss is reported.
     [[nodiscard]] constexpr detail::effect intent() const noexcept
@@ -155,7 +155,7 @@ public:
             is_new_order_ = false;
             enable_end_ = now + enable_timeout_;
         }
-        steps_.give_way(this->is_ordered_by_another(unit()));
+        steps_.give_way(this->is_ordered_by_another());
         if (control().is_ordered() and this->is_overruled() and not is_asking_) {
             steps_.yield();
         }

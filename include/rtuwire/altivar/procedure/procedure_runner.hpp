@@ -110,7 +110,7 @@ public:
         }
     }
 
-    [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
+    using commander::unit;
 
     /// For the client: what the next request does to the motor, and when a unit counts as lost.
     [[nodiscard]] constexpr detail::effect intent() const noexcept
@@ -233,7 +233,7 @@ public:
 
 protected:
     constexpr procedure_conversation(procedure_kind const& kind, unit_id its_unit, duration its_limit) noexcept
-        : kind_{&kind}, limit_{its_limit}, unit_{its_unit}, look_{kind.stop != nullptr}
+        : commander{its_unit}, kind_{&kind}, limit_{its_limit}, look_{kind.stop != nullptr}
     {}
     /// The procedure goes with it.
     constexpr procedure_conversation(procedure_conversation const&) noexcept = default;
@@ -243,7 +243,7 @@ protected:
     constexpr void begin_again() noexcept
     {
         detail::commander const former{*this};
-        *this = procedure_conversation{*kind_, unit_, limit_};
+        *this = procedure_conversation{*kind_, unit(), limit_};
         if (kind_->follows_order) {
             begin_anew(former);
         } else {
@@ -252,7 +252,7 @@ protected:
     }
 
     /// Of an order to run: whether it was carried out, and still counts.
-    [[nodiscard]] constexpr bool has_done_its_order() const noexcept { return is_done() and is_order_in_force(unit_); }
+    [[nodiscard]] constexpr bool has_done_its_order() const noexcept { return is_done() and is_order_in_force(); }
 
     /// Of a stop: from here on what was read of its words counts for the first one until the unit is lost, however long ago that
     /// was, as it continues what broadcasts have begun.
@@ -332,7 +332,7 @@ private:
     /// drive that does not supervise its link runs on.
     constexpr void heed_end_of_order() noexcept
     {
-        if (errc const why = end_of_order(unit_); why != errc::none) {
+        if (errc const why = end_of_order(); why != errc::none) {
             own().forget_end();
             go_on({event::kind::failed, 0, why});
         }
@@ -433,7 +433,7 @@ private:
     {
         constexpr std::byte read = detail::to_byte(static_cast<std::uint8_t>(function_code::read_holding_registers));
         constexpr std::byte write = detail::to_byte(static_cast<std::uint8_t>(function_code::write_single_register));
-        frame_[0] = detail::to_byte(unit_.byte());
+        frame_[0] = detail::to_byte(unit().byte());
         frame_[1] = is_write ? write : read;
         detail::put_u16(&frame_[2], address);
         detail::put_u16(&frame_[4], value);
@@ -449,7 +449,6 @@ private:
     stage stage_{stage::made};
     time_left left_{time_left::enough};
     std::array<std::byte, 8> frame_{};
-    unit_id unit_;
     bool has_lost_{false};
     bool is_other_family_{false};
     bool counts_old_{false};

@@ -55,7 +55,7 @@ template <std::size_t Drives> struct everyone_by_hand {
         all.advance(now);
         motors.visit_for_all(all, now);
         for (altivar::stop& each : all.stops()) {
-            if (motors.visit(each, each.unit().byte(), now)) {
+            if (motors.visit(each, now)) {
                 each.note_loss();
             }
         }
@@ -68,8 +68,7 @@ template <std::size_t Drives> struct everyone_by_hand {
             motors.note_start(now);
             for (altivar::stop& each : all.stops()) {
                 if (request->frame()[0] == std::byte{each.unit().byte()}) {
-                    motors.note_asked(each, each.unit().byte(), all.intent(), each.drive_timeout(),
-                                      each.tolerated_misses());
+                    motors.note_asked(each, all.intent(), each.drive_timeout(), each.tolerated_misses());
                 }
             }
             constexpr std::string_view digits{"0123456789ABCDEF"};

@@ -81,8 +81,8 @@ TEST_CASE("a unit that is lost hears words that stop it for two seconds, then no
 {
     test::everyone_by_hand<2> it{hoist, press};
     // It was ordered to run before, and stops by itself 10 s behind the last request.
-    commander one;
-    it.motors.note_asked(one, 4, effect::enabling, milliseconds(10'000), 1);
+    commander one{hoist.unit()};
+    it.motors.note_asked(one, effect::enabling, milliseconds(10'000), 1);
     it.tell_everyone();
     it.confirms({coast_press, coast_hoist});
     instant const lost = it.now;
@@ -113,8 +113,8 @@ TEST_CASE("a unit that is lost hears words that stop it for two seconds, then no
 TEST_CASE("while the only drive is lost nothing is asked, and the end is its limit")
 {
     auto it = test::everyone_by_hand<1>{broadcast_stop_options{.limit = milliseconds(5'000)}, hoist}.with_known_words();
-    commander one;
-    it.motors.note_asked(one, 4, effect::enabling, milliseconds(10'000), 1);
+    commander one{hoist.unit()};
+    it.motors.note_asked(one, effect::enabling, milliseconds(10'000), 1);
     it.tell_everyone();
     CHECK(it.asks() == stop_hoist);
     instant const begin = it.now;

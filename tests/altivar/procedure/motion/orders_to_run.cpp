@@ -36,8 +36,8 @@ template <typename Conversation> constexpr std::optional<errc> told_behind(Conve
     orders<2> motors;
     auto const comes_by = [&](auto& conversation) {
         conversation.advance(now);
-        motors.visit(conversation, conversation.unit().byte(), now);
-        return motors.check(conversation, conversation.unit().byte(), effect::enabling);
+        motors.visit(conversation, now);
+        return motors.check(conversation, effect::enabling);
     };
     start first{drive, 50_Hz};
     bool const are_good = comes_by(first) == errc::none and comes_by(later) == errc::none;

@@ -32,7 +32,7 @@ public:
     static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register,
                                        function_code::encapsulated_interface};
 
-    [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
+    using commander::unit;
 
     /// For the client: what the next request does to the motor, and when a unit counts as lost.
     [[nodiscard]] constexpr detail::effect intent() const noexcept { return this->effect_now(does_); }
@@ -59,7 +59,7 @@ public:
 
 protected:
     constexpr restore_requests(unit_id its_unit, drive_layout const& layout) noexcept
-        : layout_{&layout}, unit_{its_unit}
+        : commander{its_unit}, layout_{&layout}
     {}
 
     [[nodiscard]] constexpr drive_layout const& layout() const noexcept { return *layout_; }
@@ -83,13 +83,13 @@ protected:
     constexpr void read_block(detail::address_block block) noexcept
     {
         count_ = block.count;
-        put(encode_into(frame_, unit_, read_holding_registers{block.start, block.count}));
+        put(encode_into(frame_, unit(), read_holding_registers{block.start, block.count}));
     }
 
     /// The product code, by function 43/14. A drive of conformity 02 has no access to a single object.
     constexpr void read_product() noexcept
     {
-        put(encode_into(frame_, unit_, read_device_identification{identification_access::basic, product_code}));
+        put(encode_into(frame_, unit(), read_device_identification{identification_access::basic, product_code}));
     }
 
     /// What a procedure decided, unless that is its end.
@@ -103,8 +103,8 @@ protected:
             read_block({address_of(what), 1});
         } else if (what_of(what) == action_kind::write) {
             count_ = 0;
-            put(encode_into(frame_, unit_, write_single_register{address_of(what), word_of(what)}), repetition_of(what),
-                effect_of(what));
+            put(encode_into(frame_, unit(), write_single_register{address_of(what), word_of(what)}),
+                repetition_of(what), effect_of(what));
         }
     }
 
@@ -154,7 +154,6 @@ private:
     instant pause_end_{0};
     std::array<std::byte, 8> frame_{};
     std::uint16_t count_{0}; ///< how many words were asked for; 0 after a write
-    unit_id unit_;
     std::uint8_t size_{0};
     kind now_is_{kind::nothing};
     repetition again_{repetition::allowed};

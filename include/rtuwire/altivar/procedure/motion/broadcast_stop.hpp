@@ -122,7 +122,8 @@ public:
 
     template <device_type... Device>
     explicit constexpr broadcast_stop(broadcast_stop_options const& options, station<Device> const&... drives) noexcept
-        : stops_{stop{drives, options.freewheel ? stop_by::freewheel : stop_by::quick_stop, options.limit}...},
+        : commander{broadcast}, stops_{stop{drives, options.freewheel ? stop_by::freewheel : stop_by::quick_stop,
+                                            options.limit}...},
           fails_when_cut_{drive_check<Device>::layout.fails_when_cut_short...}, options_{options}
     {
         begin_rounds();
@@ -136,7 +137,7 @@ public:
     constexpr void again() noexcept
     {
         asker const former{*this};
-        static_cast<detail::commander&>(*this) = detail::commander{};
+        static_cast<detail::commander&>(*this) = detail::commander{broadcast};
         this->replace(former);
         for (stop& each : stops_) {
             each.again();
