@@ -371,7 +371,8 @@ public:
         if (is_barred(unit, what)) {
             return hold_back(conversation);
         }
-        errc const wrong = start(detail::as_declared<Conversation>(*request), now, unit, policy_of(conversation, with));
+        errc const wrong =
+            start(detail::as_declared<Conversation>(*request), now, unit, with, timeout_of(conversation, with));
         if (wrong != errc::none) {
             return refuse(conversation, wrong, now);
         }
@@ -535,29 +536,28 @@ private:
         return detail::turn_result::passed;
     }
 
-    /// A conversation may allow the response less time than the unit's policy.
+    /// How long the response may take: a commander may allow less time than the policy of its unit.
     template <typename Conversation>
-    static constexpr decltype(auto) policy_of(Conversation const& conversation, retry_policy const& with) noexcept
+    static constexpr duration timeout_of(Conversation const& conversation, retry_policy const& with) noexcept
     {
         if constexpr (requires { conversation.limited(with.response_timeout); }) {
-            retry_policy own = with;
-            own.response_timeout = conversation.limited(with.response_timeout);
-            return own;
-        } else {
-            return (with);
+            return conversation.limited(with.response_timeout);
         }
+        return with.response_timeout;
     }
 
     /// Starts a request to a unit. To a lost unit each stop request is sent once.
-    constexpr errc start(request_frame const& asked, instant now, std::uint8_t unit, retry_policy const& with) noexcept
+    constexpr errc start(request_frame const& asked, instant now, std::uint8_t unit, retry_policy const& with,
+                         duration timeout) noexcept
     {
         if constexpr (Orders::is_kept) {
             orders_.note_start(now);
             retry_policy own = with;
+            own.response_timeout = timeout;
             own.retries = orders_.is_lost(unit) ? std::uint8_t{0} : with.retries;
             return transaction_.start(asked, now, own);
         } else {
-            return transaction_.start(asked, now, with);
+            return transaction_.start(asked, now, with); // no commander visits
         }
     }
 
