@@ -49,6 +49,7 @@ def inlining(kind, header, *texts):
 
 TRICKS = (
     inlining("inline", "core/time.hpp", "constexpr void add("),
+    Trick("durations compared in place", "core/time.hpp", (("[[gnu::always_inline]] friend constexpr auto", "friend constexpr auto"),)),
     inlining("inline", "wire/response.hpp", "constexpr errc check_fields("),
     inlining("inline", "wire/response.hpp", "constexpr answer_rule answer_of("),
     inlining("inline", "wire/serial_line_rules.hpp", "static constexpr raw_length length("),
@@ -72,6 +73,7 @@ TRICKS = (
     inlining("inline", "client/line/transaction.hpp", "constexpr void wake("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr errc keep("),
     inlining("inline", "client/line/quarantine.hpp", "constexpr bool covers("),
+    inlining("not inline", "client/line/line_echo.hpp", "constexpr void suspect("),
     inlining("not inline", "client/turns.hpp", "constexpr void renew("),
     Trick("words of a bank taken from a writer at once", "server/banks.hpp", (
         ("        std::byte* at = out.take(2 * count);\n        if (at == nullptr) {\n"

@@ -32,8 +32,8 @@ public:
     /// Whether the frame that is being received is an echo where it is no response.
     [[nodiscard]] constexpr bool is_in_front() const noexcept { return next_ == in_front; }
 
-    /// Something else has come that may have been an echo, damaged or in part.
-    constexpr void suspect() noexcept { next_ = next_ == 0 ? suspected : next_; }
+    /// Something else has come that may have been an echo, damaged or in part. Not inlined: it is called in several places.
+    [[gnu::noinline]] constexpr void suspect() noexcept { next_ = next_ == 0 ? suspected : next_; }
 
     /// Whether nothing has come of an echo.
     [[nodiscard]] constexpr bool is_absent() const noexcept { return next_ == 0; }
