@@ -150,17 +150,15 @@ private:
             return unless(is_watched_, outcome_kind::unsupervised);
         }
         is_watched_ = word != 0;
-        switch (word) {
-        case 0: return outcome_kind::unsupervised;
-        case 1: // 1, 2, 6, 7, 8: freewheel, as STT sets, ramp, fast stop, DC injection
-        case 2:
-        case 6:
-        case 7:
-        case 8: return outcome_kind::succeeded;
-        case 4:
-        case 5: return outcome_kind::runs_on_without_link;
-        default: return outcome_kind::unknown_register;
+        if (not is_watched_) {
+            return outcome_kind::unsupervised;
         }
+        constexpr std::uint16_t undescribed = 3, at_its_speed = 4, at_fallback_speed = 5, last = 8;
+        if (word == at_its_speed or word == at_fallback_speed) {
+            return outcome_kind::runs_on_without_link;
+        }
+        // 1, 2, 6, 7, 8: freewheel, as STT sets, ramp, fast stop, DC injection
+        return unless(word <= last and word != undescribed, outcome_kind::unknown_register);
     }
 
     constexpr outcome_kind judge_timeout(std::uint16_t word, period_rule& period) noexcept
