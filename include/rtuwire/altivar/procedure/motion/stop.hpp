@@ -336,8 +336,7 @@ private:
         return end(obeys_not ? outcome_kind::state_timeout : outcome_kind::unconfirmed, error_);
     }
 
-    detail::seen_frequency frequency_{};
-    std::uint16_t word_{0};
+    // Small processors reach bytes with short instructions only where they are near.
     stop_by ordered_;
     stop_by mode_; ///< it may have become another one than was ordered
     asked asked_{asked::status};
@@ -347,6 +346,8 @@ private:
     bool was_taken_{false}; ///< the drive confirmed a word
     bool is_seen_{false};   ///< and its state was read after that, and nothing was lost since
     bool stands_{false};
+    std::uint16_t word_{0};
+    detail::seen_frequency frequency_{};
 };
 
 /// Decides a stop that is ordered of a drive of which nothing but its declared type may be known.
