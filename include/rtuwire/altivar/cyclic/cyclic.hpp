@@ -46,8 +46,8 @@ public:
     static constexpr frame_sizes longest_frames = cycle_frames<Device>::longest;
 
     explicit constexpr cyclic(station<Device> const& its_drive, cyclic_options const& its_options = {}) noexcept
-        : commander{its_drive.unit()}, steps_{its_drive.unit(), its_options},
-          enable_timeout_{its_options.enable_timeout}, tolerated_misses_{its_options.tolerated_misses}
+        : commander{its_drive.unit()}, enable_timeout_{its_options.enable_timeout},
+          tolerated_misses_{its_options.tolerated_misses}, steps_{its_drive.unit(), its_options}
     {}
 
     /// Orders operation at a speed (a frequency where the drive's cycle writes one), negative in reverse; 0 in reverse, or
@@ -304,7 +304,7 @@ private:
         }
     }
 
-    cycle_steps<Device> steps_;
+    // Small processors reach what is near with short instructions.
     duration enable_timeout_;
     instant now_{0};
     instant due_{0};
@@ -321,6 +321,7 @@ private:
     stop_look look_{false};   ///< what the stop command means
     bool is_heard_{false};    ///< since the last loss
     bool has_doubted_{false}; ///< since the last pause
+    cycle_steps<Device> steps_;
 };
 
 } // namespace altivar
