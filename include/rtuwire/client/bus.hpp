@@ -522,22 +522,22 @@ private:
         return gap != duration{} and end - other.last_asked > gap;
     }
 
-    // What is used in each pass stands in front of the client: small processors reach near members with short instructions.
+    // What is its own stands in front of the client: small processors reach near members with short instructions.
     bool is_idle_{false};          ///< nobody has a turn in this pass
     bool is_new_pass_{false};      ///< a slot's conversation visited since the latest pass that is not idle began
     bool stays_awake_{false};      ///< one that no pass leaves out visited since then
     bool has_silent_{false};       ///< in an idle pass: a slot is silent
     bool is_probe_limited_{false}; ///< silent slots wait until `probe_at_`
+    bool is_urgent_{false};
     detail::visit_stage stage_{detail::visit_stage::changing};
     instant asked_at_{0};
     instant probe_at_{0};
     deadline wake_{};     ///< the first of the conversations' times
     deadline rest_end_{}; ///< in an idle pass: of the slots that rest
-    basic_client<detail::needs_of_bus<Slots, Needs>> client_;
     bus_options share_{};
     std::size_t last_probed_{Slots - 1};
     std::array<slot, Slots> slots_{detail::filled<Slots>(slot{})};
-    bool is_urgent_{false};
+    basic_client<detail::needs_of_bus<Slots, Needs>> client_;
 };
 
 } // namespace RTUWIRE_BUILD
