@@ -115,6 +115,10 @@ def check_refusals(tool, check):
             ended = tool.run(*how, "--write", "-y", "write", word)
             is_named = all(part in ended.errors for part in parts)
             check(ended.status == status and is_named, f"{word} is refused", ended)
+        # A wrong type: what commands the motor of another one is refused, whatever is allowed.
+        for drive, word in (("atv28", "8501=6"), ("atv28", "8602=1000"), ("atv320", "400=6"), ("atv12", "12768=1")):
+            ended = tool.run(*how[:-1], drive, "--write", "--allow-run", "-y", "write", word)
+            check(ended.status == REFUSED and "commands the motor of an" in ended.errors, f"{drive}: {word} is refused", ended)
         # The first is right, the second wrong: neither is written.
         check(tool.run(*how, "--write", "write", "ACC=2s", "RFR=1Hz").status == USAGE, "one wrong word among right ones")
         ended = tool.run(*how, "write", "ACC=2s")

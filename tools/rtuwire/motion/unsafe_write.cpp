@@ -38,6 +38,14 @@ void refuse_unsafe_value(register_entry const& entry, std::uint16_t word, drive_
     }
 }
 
+/// The first type of drive whose motor a register commands. The type that was said may be wrong.
+drive_catalog const* commanded_there(std::uint16_t address)
+{
+    auto const found = std::ranges::find_if(
+        all_catalogs(), [address](drive_catalog const* each) { return commands_a_motor(address, *each); });
+    return found == all_catalogs().end() ? nullptr : *found;
+}
+
 /// What is wrong with a drive that has to be without power; nothing where nothing is.
 std::optional<ended> why_not_at_rest(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive)
 {
@@ -88,6 +96,11 @@ void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive
                           shown_command(chosen.line, "stop") + "` stops it");
     }
     if (value.entry == nullptr) {
+        if (drive_catalog const* const other = commanded_there(value.address)) {
+            refuse_for_safety("register " + label + " is none of an " + std::string{drive.name} +
+                              ", and commands the motor of an " + std::string{other->name} +
+                              ", which this unit may be: `identify` asks it");
+        }
         refuse_without_run(allowed, "register " + label + " is none of the parameters of an " +
                                         std::string{drive.name} + " that are known: nobody knows what it does");
         return;
