@@ -51,8 +51,8 @@ namespace detail {
 
 /// Serves one unit address, or several (`for_units`). In each pass call `receive` with what arrived, `sent` when the last stop bit of a
 /// response was sent, `advance`, `serve`; then send what `poll_transmit` returns. Sleep no longer than until
-/// `poll_deadline`; whoever comes later, even by hours, finds over what was in force, but of a pause of whole turns of the
-/// counter (71.6 minutes), or of up to the time of 256 characters and 100 ms less, only the rest shows. `now` never goes back.
+/// `poll_deadline`; a later call, even by hours, finds all earlier times over. One exception: a pause as long as whole turns of
+/// the counter (71.6 minutes), or shorter than that by at most 256 characters and 100 ms, is not seen. `now` never goes back.
 ///
 /// How frames end. Bytes are ignored until the line was silent for `frame_end` once; before the first `advance`, time
 /// is not known and all bytes are ignored. Then a frame begins with the next byte. It ends
