@@ -166,21 +166,22 @@ TEST_CASE("rule 37: a stop of everyone under way holds again behind release_all,
 
 TEST_CASE("rule 37: a stop of everyone holds all units behind the end of another one, up to its own")
 {
-    for (bool const sees_the_end : {false, true}) { // it visits in the pass in which the other one ends, or not
+    for (bool const sees_the_end : {false, true}) { // it visits in a pass behind the other one, or before it
         command_desk<1> it;
         hand_commander one{3};
         hand_for_all all{9}, other{10};
         begin(it, all);
         begin(it, other);
+        it.pass(1);
+        if (not sees_the_end) {
+            it.see(all);
+        }
         other.note_stop_over();
         it.see(other);
         if (sees_the_end) {
             it.see(all);
         }
         it.pass(1);
-        if (not sees_the_end) {
-            it.see(all);
-        }
         for (unsigned pass = 0; pass < 3; ++pass) {
             CHECK(it.runs(one) == errc::overruled); // it visits before the stop
             it.see(all);
@@ -190,6 +191,21 @@ TEST_CASE("rule 37: a stop of everyone holds all units behind the end of another
         it.see(one);
         CHECK(it.runs(one) == errc::none);
     }
+}
+
+TEST_CASE("rule 37: a stop of everyone that is gone holds nothing behind the end of another one")
+{
+    command_desk<1> it;
+    hand_commander one{3};
+    hand_for_all all{9}, other{10};
+    begin(it, all);
+    begin(it, other);
+    it.see(all);
+    it.pass(1);
+    it.see(other); // from here on `all` is gone
+    it.pass(1);
+    end(it, other);
+    CHECK(it.runs(one) == errc::none);
 }
 
 TEST_CASE("rule 38: what was taken for a unit and has not left does not leave once a stop of it has begun by a read")

@@ -85,6 +85,7 @@ public:
         count_ = newer_of(count_, original.count_);
         holder_of_all_ = original.holder_of_all_;
         is_all_over_ = original.is_all_over_;
+        is_all_shared_ = original.is_all_shared_;
         is_by_commander_ = original.is_by_commander_;
         all_passes_left_ = original.all_passes_left_;
         all_seen_ = original.all_seen_;
@@ -251,6 +252,7 @@ public:
             is_all_over_ = false;
         }
         if (who.is_stopping_) {
+            is_all_shared_ = is_all_shared_ or who.stamp_ != holder_of_all_;
             all_seen_ = step_of(now);
             all_passes_left_ = most_passes_missed;
         }
@@ -662,10 +664,10 @@ private:
     /// Stops that ended release their units.
     constexpr void let_go_of_ended() noexcept
     {
-        if (is_all_over_) {
+        if (is_all_over_ and not is_all_shared_) { // else the other one holds from its next visit on
             holder_of_all_ = 0;
-            is_all_over_ = false; // another stop of all units may hold from here on
         }
+        is_all_shared_ = false;
         let_go_if_over(places_.others());
         for (unit_order& each : places_) {
             let_go_if_over(each);
@@ -829,6 +831,7 @@ private:
     std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
     std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none
     bool is_all_over_{false};
+    bool is_all_shared_{false};       ///< another stop of all units visited since the last `advance`
     bool is_by_commander_{false};     ///< the last request
     std::uint8_t all_passes_left_{0}; ///< that the stop of all units may miss
     std::uint16_t all_seen_{0};       ///< when it visited last
