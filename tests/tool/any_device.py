@@ -158,8 +158,17 @@ def check_refusals(tool, check):
         check(ended.status == 2 and words[0] in ended.errors and says in ended.errors, f"{words} is refused", ended)
 
 
+def check_stop(tool, check):
+    """Whatever was said of the unit: it stops."""
+    for said in (["-d", "none"], ["--name", "fan=7:none"]):
+        unit = "fan" if said[0] == "--name" else 7
+        ended = tool.run("-p", "sim:atv320:7", "--no-listen", *said, "-u", unit, "--json", "stop")
+        check(ended.status == 0 and "none" not in ended.errors, f"stop of {said}", ended)
+
+
 def main(check, program):
     with Tool(program) as tool, Programs() as others:
+        check_stop(tool, check)
         near_end, tool.port = others.line()
         others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
         for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals):

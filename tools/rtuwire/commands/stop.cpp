@@ -294,7 +294,10 @@ private:
 
 exit_status run_stop(choices const& chosen)
 {
-    named_unit const who = unit_in(chosen.line);
+    named_unit who = unit_in(chosen.line);
+    if (who.drive == no_drive) { // a motor may turn there all the same
+        who.drive.clear();
+    }
     if (not who.drive.empty()) {
         static_cast<void>(catalog_chosen(who.drive)); // refuses one that there is not
     }
