@@ -46,7 +46,7 @@ TEST_CASE("defect: D36 a port opens at any rate, and again at a usual one")
     if (not takes_any(look)) {
         return;
     }
-    for (std::uint32_t const rate : {50U, 300U, 600U, 1'800U, 9'600U, 31'250U, 76'800U, 115'200U, 250'000U, 12'345U}) {
+    for (std::uint32_t const rate : {60U, 300U, 600U, 1'800U, 9'600U, 31'250U, 76'800U, 115'200U, 250'000U, 12'345U}) {
         CAPTURE(rate);
         auto const format = rate == 300 ? character_format::even_8_1 : character_format::none_8_1;
         posix_serial port;

@@ -3,6 +3,7 @@
 // The times of a line, held against the specification's table.
 #include <rtuwire/rtu/line.hpp>
 
+#include "support/catch.hpp"
 #include "support/proof.hpp"
 
 using namespace rtuwire;
@@ -42,6 +43,11 @@ STATIC_CHECK(bits_per_character(character_format::odd_8_1) == 11);
 STATIC_CHECK(bits_per_character(character_format::none_8_2) == 11);
 STATIC_CHECK(bits_per_character(n1) == 10);
 
+// The slowest line: the longest duration and a frame's 47 s are less than half the counter of an instant.
+STATIC_CHECK(line_timing{60, e}.characters(256) == microseconds(256 * 183'334));
+STATIC_CHECK(longest_duration.microseconds + line_timing{60, e}.characters(256).microseconds < 1U << 31U);
+STATIC_CHECK(line_timing{4'294'967'295, e}.has_wire());
+
 STATIC_CHECK(line_timing{9'600, e}.characters(256) == microseconds(256 * 1'146));
 STATIC_CHECK(line_timing{1'200, e}.characters(256) == microseconds(256 * 9'167));
 
@@ -67,7 +73,7 @@ constexpr bool is_as_host(std::uint32_t rate, character_format format, bool rest
     return usb.characters(256) == host.characters(256) and usb.t3_5() == host.t3_5() and usb.has_wire() and
            usb.frame_end() == host.frame_end() and usb.silence() == (rests ? host.t3_5() : duration{});
 }
-STATIC_CHECK(is_as_host(50, e, true));
+STATIC_CHECK(is_as_host(60, e, true));
 STATIC_CHECK(is_as_host(9'600, n1, true));
 STATIC_CHECK(is_as_host(19'200, e, true));
 STATIC_CHECK(is_as_host(38'400, e, true));
@@ -102,3 +108,12 @@ STATIC_CHECK(line_timing::without_wire().frame_end() == milliseconds(50));
 STATIC_CHECK(line_timing::without_wire(milliseconds(5)).frame_end() == milliseconds(5));
 
 } // namespace
+
+// A rate that a program reads from somewhere may be anything, 0 too.
+TEST_CASE("A rate that is too low at run time counts as the slowest")
+{
+    for (std::uint32_t rate = 0; rate < 60; ++rate) {
+        CHECK(line_timing{rate, e}.characters(1) == microseconds(183'334));
+        CHECK(line_timing::usb(rate, n1).t3_5() == microseconds(583'334));
+    }
+}

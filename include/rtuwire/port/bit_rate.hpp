@@ -94,11 +94,11 @@ inline constexpr bool takes_any_rate = RTUWIRE_TAKES_ANY_RATE == 1;
 
 #undef RTUWIRE_TAKES_ANY_RATE
 
-/// Whether a device may be opened at a rate; whether its driver keeps it only `open` tells. From 50 bit/s on: below, a frame
-/// takes minutes.
+/// Whether a device may be opened at a rate; whether its driver keeps it only `open` tells. From 60 bit/s on, as a
+/// `line_timing`.
 [[nodiscard]] inline bool is_bit_rate(std::uint32_t bits_per_second) noexcept
 {
-    constexpr std::uint32_t lowest = 50;
+    constexpr std::uint32_t lowest = 60;
     return bits_per_second >= lowest and (detail::takes_any_rate or speed_code(bits_per_second));
 }
 

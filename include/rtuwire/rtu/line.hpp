@@ -19,7 +19,7 @@ inline namespace RTUWIRE_BUILD {
 enum class character_format : std::uint8_t { even_8_1, odd_8_1, none_8_1, none_8_2 };
 
 /// Not constexpr, so that in a constant expression the compiler reports its name. At run time it does nothing.
-inline void the_bit_rate_of_a_line_is_above_0() noexcept {}
+inline void the_bit_rate_of_a_line_is_at_least_60() noexcept {}
 
 namespace detail {
 
@@ -35,7 +35,8 @@ namespace detail {
 class line_timing {
 public:
     /// Times for a receiver that gets each character as it ends, or has a hardware buffer of a few: a frame
-    /// without a length rule ends after t3.5. `bits_per_second` is above 0.
+    /// without a length rule ends after t3.5. `bits_per_second` is at least 60, where a frame lasts 47 s: what is below
+    /// does not compile in a constant expression and counts as 60 at run time, 0 too.
     constexpr line_timing(std::uint32_t bits_per_second, character_format format) noexcept
         : character_{bit_times(2, bits_per_second, format)}, t3_5_{bits_per_second > 19'200
                                                                        ? microseconds(1750)
@@ -138,11 +139,13 @@ private:
     static constexpr duration bit_times(std::uint32_t half_characters, std::uint32_t bits_per_second,
                                         character_format format) noexcept
     {
-        if (bits_per_second == 0) {
-            the_bit_rate_of_a_line_is_above_0();
+        constexpr std::uint32_t lowest = 60;
+        if (bits_per_second < lowest) {
+            the_bit_rate_of_a_line_is_at_least_60();
+            bits_per_second = lowest;
         }
         std::uint32_t const bits_by_million = half_characters * detail::bits_per_character(format) * 500'000U;
-        return duration{(bits_by_million + bits_per_second - 1) / bits_per_second};
+        return duration{1 + (bits_by_million - 1) / bits_per_second};
     }
 
     duration character_;
