@@ -12,7 +12,6 @@
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/line_echo_probe.hpp>
-#include <rtuwire/client/static_client.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/frames.hpp>

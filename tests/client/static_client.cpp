@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A client whose times are constants does what one does that was told them, and costs less.
-#include <rtuwire/client/static_client.hpp>
+#include <rtuwire/client/client.hpp>
 
 #include <array>
 

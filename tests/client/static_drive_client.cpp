@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A client of drives whose times are constants holds the units that owe a response as others do.
-#include <rtuwire/client/static_client.hpp>
+#include <rtuwire/client/client.hpp>
 
 #include "support/manual_unit.hpp"
 #include "support/proof.hpp"

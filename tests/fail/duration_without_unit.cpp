@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A bare number where a time is meant: 200 microseconds for whoever meant milliseconds.
 // EXPECT: duration
-#include <rtuwire/client/options.hpp>
+#include <rtuwire/client/needs.hpp>
 
 using namespace rtuwire;
 

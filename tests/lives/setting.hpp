@@ -8,7 +8,7 @@
 
 #include "lives/far_drive.hpp"
 
-#include <rtuwire/client/options.hpp>
+#include <rtuwire/client/needs.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/sim/line/random_source.hpp>
 

@@ -3,7 +3,7 @@
 // Random lines, options and requests for a client and its model, and what is held against each other.
 #pragma once
 
-#include <rtuwire/client/options.hpp>
+#include <rtuwire/client/needs.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/rtu/line.hpp>
 

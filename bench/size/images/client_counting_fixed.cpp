@@ -3,7 +3,7 @@
 // The client that counts for its line, whose times are constants of the program.
 #include "client.hpp"
 
-#include <rtuwire/client/static_client.hpp>
+#include <rtuwire/client/client.hpp>
 
 namespace {
 

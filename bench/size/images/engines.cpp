@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Not an image: each variable is as large as what its name says, for `nm` to read.
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/client/static_client.hpp>
+#include <rtuwire/client/client.hpp>
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/server/server.hpp>
 

@@ -12,7 +12,7 @@
 #include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
-#include <rtuwire/client/static_client.hpp>
+#include <rtuwire/client/client.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

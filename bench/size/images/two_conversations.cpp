@@ -6,7 +6,7 @@
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/ask/poller.hpp>
-#include <rtuwire/client/static_client.hpp>
+#include <rtuwire/client/client.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

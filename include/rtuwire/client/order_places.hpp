@@ -9,7 +9,6 @@
 #include <cstdint>
 
 #include <rtuwire/ask/unit_order.hpp>
-#include <rtuwire/client/line/used_places.hpp>
 #include <rtuwire/core/filled.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -17,6 +16,22 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 
 namespace detail {
+
+/// How many of `Size` places are in use, so that nobody looks at the others. The only place of one counts as used, which takes
+/// no memory.
+template <std::size_t Size> class used_places {
+public:
+    [[nodiscard]] constexpr std::size_t count() const noexcept { return count_; }
+    constexpr void set(std::size_t count) noexcept { count_ = count; }
+
+private:
+    std::size_t count_{0};
+};
+template <> class used_places<1> {
+public:
+    [[nodiscard]] static constexpr std::size_t count() noexcept { return 1; }
+    static constexpr void set(std::size_t) noexcept {}
+};
 
 /// Places for `Units` units, and one entry for all others together.
 template <std::size_t Units> class order_places {

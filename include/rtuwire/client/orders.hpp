@@ -31,8 +31,8 @@
 
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/ask/unit_order.hpp>
-#include <rtuwire/client/client_number.hpp>
 #include <rtuwire/client/order_places.hpp>
+#include <rtuwire/client/turns.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>

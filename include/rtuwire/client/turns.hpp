@@ -3,20 +3,34 @@
 //
 // Which conversation asked last, and which may ask next: in the order in which they visit (`converse` is called for
 // them), beginning after the one that was served last. Knows a conversation by the number that it holds; compares no
-// addresses, so that a conversation may be destroyed, moved, or made anew in the same place.
+// addresses, so that a conversation may be destroyed, moved, or made anew in the same place. So may a client (`emplace` of
+// an optional, a local object of a function that is called again), which its conversations may outlive: each counts from
+// another number.
 #pragma once
 
 #include <cstdint>
 #include <type_traits>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/client/client_number.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 
 namespace detail {
+
+/// Another number for each client, never 0. Two clients that two tasks make at once may get the same where a processor has
+/// no operation for it; they are in two places then.
+[[nodiscard]] inline std::uint32_t next_client_number() noexcept
+{
+    static constinit std::uint32_t given{0};
+#ifdef __GCC_HAVE_SYNC_COMPARE_AND_SWAP_4
+    std::uint32_t const number = __atomic_add_fetch(&given, 1, __ATOMIC_RELAXED);
+#else
+    std::uint32_t const number = ++given;
+#endif
+    return number == 0 ? 1 : number;
+}
 
 /// The standing of a conversation that visits where another has asked or others wait.
 enum class standing : std::uint8_t {

@@ -9,7 +9,7 @@
 
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/line/line_echo.hpp>
-#include <rtuwire/client/options.hpp>
+#include <rtuwire/client/needs.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::detail;

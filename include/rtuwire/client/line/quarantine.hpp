@@ -25,7 +25,6 @@
 #include <cstdint>
 #include <span>
 
-#include <rtuwire/client/line/used_places.hpp>
 #include <rtuwire/core/filled.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -41,18 +40,21 @@ struct quarantine_entry {
     std::uint8_t unit;
 };
 
-/// The places of several units. The only place of one leaves its padding to its holder.
+/// The places of several units, and how many are in use: nobody looks at the others. The only place of one counts as used, and
+/// leaves its padding to its holder.
 template <std::size_t Units> struct quarantine_places {
     constexpr quarantine_entry* data() noexcept { return entries.data(); }
     constexpr quarantine_entry const* data() const noexcept { return entries.data(); }
 
     std::array<quarantine_entry, Units> entries{filled<Units>(quarantine_entry{instant{0}, 0})};
+    std::size_t count{0};
 };
 template <> struct quarantine_places<1> {
     constexpr quarantine_entry* data() noexcept { return &entry; }
     constexpr quarantine_entry const* data() const noexcept { return &entry; }
 
     [[no_unique_address]] quarantine_entry entry{instant{0}, 0};
+    static constexpr std::size_t count = 1;
 };
 
 /// The times of up to `Units` units at once; where more have an outstanding response, the last place stands for every
@@ -80,8 +82,8 @@ public:
             }
         }
         if constexpr (Units > 1) {
-            while (used_.count() > 0 and entries_.data()[used_.count() - 1].unit == nobody) {
-                used_.set(used_.count() - 1);
+            while (entries_.count > 0 and entries_.data()[entries_.count - 1].unit == nobody) {
+                --entries_.count;
             }
         }
         return is_over;
@@ -145,28 +147,28 @@ private:
     {
         if constexpr (Units == 1) {
             return *entries_.data();
-        }
-        std::size_t const used = used_.count();
-        std::size_t found = used < Units ? used : Units - 1;
-        for (std::size_t i = used; i-- > 0;) {
-            if (entries_.data()[i].unit == unit) {
-                return entries_.data()[i];
+        } else {
+            std::size_t const used = entries_.count;
+            std::size_t found = used < Units ? used : Units - 1;
+            for (std::size_t i = used; i-- > 0;) {
+                if (entries_.data()[i].unit == unit) {
+                    return entries_.data()[i];
+                }
+                found = entries_.data()[i].unit == nobody ? i : found;
             }
-            found = entries_.data()[i].unit == nobody ? i : found;
+            entries_.count = found < used ? used : found + 1;
+            return entries_.data()[found];
         }
-        used_.set(found < used ? used : found + 1);
-        return entries_.data()[found];
     }
 
     /// The entries up to the last one in use.
-    constexpr std::span<quarantine_entry> used() noexcept { return std::span{entries_.data(), used_.count()}; }
+    constexpr std::span<quarantine_entry> used() noexcept { return std::span{entries_.data(), entries_.count}; }
     constexpr std::span<quarantine_entry const> used() const noexcept
     {
-        return std::span{entries_.data(), used_.count()};
+        return std::span{entries_.data(), entries_.count};
     }
 
     [[no_unique_address]] quarantine_places<Units> entries_{};
-    [[no_unique_address]] used_places<Units> used_{};
 };
 
 } // namespace detail

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/client/options.hpp>
+#include <rtuwire/client/needs.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>

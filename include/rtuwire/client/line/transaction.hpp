@@ -19,7 +19,6 @@
 #include <rtuwire/client/line/quarantine.hpp>
 #include <rtuwire/client/line/retry_state.hpp>
 #include <rtuwire/client/needs.hpp>
-#include <rtuwire/client/options.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/result.hpp>
