@@ -63,17 +63,17 @@ TRICKS = (
     inlining("inline", "server/server.hpp", "constexpr void serve_by("),
     inlining("not inline", "server/respond.hpp", "constexpr errc respond_apart("),
     inlining("inline", "client/client.hpp", "constexpr void replace_asker("),
-    inlining("inline", "client/line/retry_state.hpp", "constexpr bool may_pause("),
-    inlining("inline", "client/line/retry_state.hpp", "constexpr void note_sent("),
+    inlining("inline", "client/line/request.hpp", "constexpr bool may_pause("),
+    inlining("inline", "client/line/request.hpp", "constexpr void note_sent("),
     inlining("not inline", "client/line/transaction.hpp", "constexpr void wait_for_silence("),
     inlining("not inline", "client/line/transaction.hpp", "constexpr void limit_sending("),
     inlining("inline", "client/line/transaction.hpp", "constexpr void attempt_failed("),
     inlining("inline", "client/line/transaction.hpp", "constexpr bool advance("),
     inlining("inline", "client/line/transaction.hpp", "constexpr result<response> take_outcome("),
     inlining("inline", "client/line/transaction.hpp", "constexpr void wake("),
-    inlining("inline", "client/line/retry_state.hpp", "constexpr errc keep("),
+    inlining("inline", "client/line/request.hpp", "constexpr errc keep("),
     inlining("inline", "client/line/quarantine.hpp", "constexpr bool covers("),
-    inlining("not inline", "client/line/line_echo.hpp", "constexpr void suspect("),
+    inlining("not inline", "client/line/request.hpp", "constexpr void suspect("),
     inlining("not inline", "client/turns.hpp", "constexpr void renew("),
     Trick("words of a bank taken from a writer at once", "server/banks.hpp", (
         ("        std::byte* at = out.take(2 * count);\n        if (at == nullptr) {\n"
@@ -107,7 +107,7 @@ TRICKS = (
     Trick("characters added without a check", "rtu/line.hpp", (
         ("return duration{length.microseconds + characters(count).microseconds};",
          "return length + characters(count);"),)),
-    Trick("a request copied backwards", "client/line/retry_state.hpp", (
+    Trick("a request copied backwards", "client/line/request.hpp", (
         ("        std::size_t i = frame.size();\n        do { // backwards: 8 bytes less\n            --i;\n"
          "            in.bytes[i] = frame[i];\n        } while (i != 0);\n",
          "        for (std::size_t i = 0; i < frame.size(); ++i) {\n            in.bytes[i] = frame[i];\n        }\n"),)),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A duration that does not fit is the longest one, and no deadline made of it looks as if it were over.
-#include <rtuwire/client/line/retry_state.hpp>
+#include <rtuwire/client/line/request.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/rtu/line.hpp>
 

@@ -16,7 +16,7 @@
 
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/client/line/phase.hpp>
+#include <rtuwire/client/line/request.hpp>
 #include <rtuwire/client/line/transaction.hpp>
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/client/orders.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Every phase of a client with every input: the table of the header as data.
-#include <rtuwire/client/line/phase.hpp>
+#include <rtuwire/client/line/request.hpp>
 
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/hex.hpp>

@@ -8,7 +8,7 @@
 #include "support/proof.hpp"
 
 #include <rtuwire/client/client.hpp>
-#include <rtuwire/client/line/line_echo.hpp>
+#include <rtuwire/client/line/request.hpp>
 #include <rtuwire/client/needs.hpp>
 
 using namespace rtuwire;

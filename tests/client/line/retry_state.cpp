@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // How long the pauses of a request are, and how long answers to its sendings may still come: rules 9 and 18 of
 // docs/engine-rules.md.
-#include <rtuwire/client/line/retry_state.hpp>
+#include <rtuwire/client/line/request.hpp>
 
 #include <array>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // One request of a client, from its start to its outcome (SL 2.4.1): silence before it, the bytes to send, their echo, the
-// response, repetitions, time limits. Knows no conversation. client/line/phase.hpp has the table of its phases,
+// response, repetitions, time limits. Knows no conversation. client/line/request.hpp has the table of its phases,
 // client/line/quarantine.hpp the rule how long a unit that did not respond in time gets no new request.
 #pragma once
 
@@ -14,10 +14,8 @@
 #include <type_traits>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/client/line/line_echo.hpp>
-#include <rtuwire/client/line/phase.hpp>
 #include <rtuwire/client/line/quarantine.hpp>
-#include <rtuwire/client/line/retry_state.hpp>
+#include <rtuwire/client/line/request.hpp>
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/constant.hpp>
