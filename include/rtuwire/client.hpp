@@ -8,10 +8,10 @@
 #include <rtuwire/ask/plan_writer.hpp>
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/ask/single_request.hpp>
+#include <rtuwire/ask/words_read.hpp>
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
-#include <rtuwire/client/line_echo_probe.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/frames.hpp>

@@ -35,7 +35,7 @@
 #include <rtuwire/ask/plan_writer.hpp>
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/ask/single_request.hpp>
-#include <rtuwire/client/line_echo_probe.hpp>
+#include <rtuwire/ask/words_read.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::detail;

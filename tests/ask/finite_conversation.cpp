@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What every conversation that ends says of its end: nothing too early, the outcome after it, and nothing again where
 // it begins anew.
-#include <rtuwire/ask/finite_conversation.hpp>
+#include <rtuwire/ask/conversation.hpp>
 
 #include "support/proof.hpp"
 
@@ -12,7 +12,7 @@
 #include <rtuwire/ask/access.hpp>
 #include <rtuwire/ask/plan_writer.hpp>
 #include <rtuwire/ask/poller.hpp>
-#include <rtuwire/client/line_echo_probe.hpp>
+#include <rtuwire/ask/words_read.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::detail;

@@ -11,7 +11,7 @@
 #include "support/manual_unit.hpp"
 
 #include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/client/line_echo_probe.hpp>
+#include <rtuwire/ask/words_read.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/serial_line/file_records.hpp>
 

@@ -5,7 +5,7 @@
 
 #include "support/catch.hpp"
 
-#include <rtuwire/client/line_echo_probe.hpp>
+#include <rtuwire/ask/words_read.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::detail;

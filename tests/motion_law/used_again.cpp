@@ -10,7 +10,7 @@
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
-#include <rtuwire/ask/outcome_of.hpp>
+#include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;

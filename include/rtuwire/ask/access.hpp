@@ -6,13 +6,10 @@
 // bytes.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/ask/words_read.hpp>
 #include <rtuwire/core/result.hpp>
@@ -24,6 +21,7 @@
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/wire/bits.hpp>
 #include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>
 
@@ -31,68 +29,6 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 
 namespace detail {
-
-/// Reads one register as a word, whatever the word stands for; the untyped base of `register_read`.
-class word_read : public finite_conversation {
-public:
-    static constexpr bool keeps_meaning = true;
-    static constexpr function_set asks{function_code::read_holding_registers};
-
-    constexpr word_read(unit_id unit, std::uint16_t address) noexcept
-    {
-        static_cast<void>(encode_into(frame_, unit, read_holding_registers{address, 1}));
-    }
-
-    /// Reads once more; it is then no longer settled.
-    constexpr void again() noexcept { reopen(); }
-
-    constexpr std::optional<request_frame> next() const& noexcept
-    {
-        if (settled()) {
-            return std::nullopt;
-        }
-        return request_frame{frame_};
-    }
-    std::optional<request_frame> next() const&& = delete;
-
-    constexpr void accept(result<response> const& outcome) noexcept
-    {
-        constexpr std::size_t size_of_one = 4;
-        if (not outcome) {
-            return settle(outcome.error());
-        }
-        byte_view const pdu = outcome->pdu();
-        if (pdu.size() != size_of_one) {
-            return settle(errc::wrong_length);
-        }
-        word_ = u16_at(pdu, 2);
-        settle(errc::none);
-    }
-
-    /// The word read, or why there is none; `busy` until it is settled.
-    [[nodiscard]] constexpr result<std::uint16_t> word() const noexcept
-    {
-        return error() == errc::none ? result<std::uint16_t>{word_} : error();
-    }
-
-private:
-    // Not a result, which GCC copies by memcpy where it optimises for size: 60 bytes of a program that
-    // has no other use for it.
-    std::uint16_t word_{0};
-    std::array<std::byte, 8> frame_{}; ///< behind the word it is aligned, which saves 150 bytes on a Cortex-M0+
-};
-
-/// Reads one register of values `T`; `outcome()` then gives the value, or why there is none.
-template <register_value T> class register_read : public word_read {
-public:
-    using word_read::word_read;
-
-    /// The value read, or why there is none; `busy` until it is settled.
-    [[nodiscard]] constexpr result<T> outcome() const noexcept
-    {
-        return word() ? result<T>{from_word<T>(*word())} : result<T>{word().error()};
-    }
-};
 
 /// Rejects at compile time, with a message in English, what a device cannot answer.
 template <auto const& R, device_type Device> consteval bool is_readable() noexcept

@@ -5,7 +5,8 @@
 // with its response. A read is a conversation, so is a plan or a start-up; the code that runs one need not know which.
 //
 // A conversation that has ended begins anew only by its `again()`, or by a `run` that calls it; a mere visit of one that
-// had ended before sends nothing and takes its outcome back, which from then on says `used_already`.
+// had ended before sends nothing and takes its outcome back, which from then on says `used_already`. Here is also what
+// conversations that end have in common, and what one that was run to its end gives to who ran it.
 #pragma once
 
 #include <array>
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/fixed_buffer.hpp>
@@ -21,6 +23,7 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -168,6 +171,45 @@ concept conversation = std::derived_from<T, asker> and requires(T& conversation,
 
 namespace detail {
 
+/// The base of every conversation that ends once. One that reads a value has an `outcome` of its own, which gives the
+/// value.
+class finite_conversation : public asker {
+public:
+    /// Whether it has ended: the outcome is there, and no request follows.
+    [[nodiscard]] constexpr bool settled() const noexcept { return is_settled_; }
+
+    /// How it ended. Before that it is `busy`, so that an outcome that is read too early is never a success; `settled`
+    /// tells whether it is the outcome. To be read in the pass in which it settles: from the next visit on it is
+    /// `used_already`.
+    [[nodiscard]] constexpr result<void> outcome() const noexcept { return error(); }
+
+protected:
+    /// It ends; `none` is success.
+    constexpr void settle(errc how) noexcept
+    {
+        error_ = how;
+        is_settled_ = true;
+    }
+
+    /// It begins anew with nothing to send: how it ended is told once more.
+    constexpr void tell_again() noexcept { static_cast<asker&>(*this) = asker{}; }
+
+    /// It begins anew; the outcome of its last request is dropped.
+    constexpr void reopen() noexcept
+    {
+        forget();
+        error_ = errc::busy;
+        is_settled_ = false;
+    }
+
+    /// Why there is no value; `none` after success, `busy` before the end.
+    [[nodiscard]] constexpr errc error() const noexcept { return is_used_already() ? errc::used_already : error_; }
+
+private:
+    errc error_{errc::busy};
+    bool is_settled_{false};
+};
+
 /// A conversation that never settles, and says so by a static `settled`: its end cannot be waited for.
 template <typename T>
 concept endless_conversation = conversation<T> and requires
@@ -226,6 +268,67 @@ constexpr void advance_conversation(Conversation& conversation, instant now) noe
 {
     if constexpr (timed_conversation<Conversation>) {
         conversation.advance(now);
+    }
+}
+
+/// A conversation with an outcome of its own: a `result`.
+template <typename Conversation>
+concept has_outcome = requires(Conversation& conversation)
+{
+    conversation.outcome().error();
+};
+
+/// A conversation that ends with a reason.
+template <typename Conversation>
+concept has_reason = requires(Conversation& conversation)
+{
+    conversation.reason().error;
+};
+
+/// Its `outcome()`, or where it has none its `reason()`, or where it has neither nothing but `busy` while it has not ended.
+/// Of a conversation without a name, whose response would end with the statement, only the error.
+template <typename Conversation> [[nodiscard]] constexpr auto outcome_of(Conversation&& conversation) noexcept
+{
+    if constexpr (requires { std::forward<Conversation>(conversation).outcome(); }) {
+        return conversation.outcome();
+    } else if constexpr (has_outcome<Conversation>) {
+        auto const outcome = conversation.outcome();
+        return outcome ? result<void>{} : result<void>{outcome.error()};
+    } else if constexpr (has_reason<Conversation>) {
+        return conversation.reason();
+    } else {
+        return conversation.settled() ? result<void>{} : result<void>{errc::busy};
+    }
+}
+
+/// The same of a conversation that could not be run to its end: with the error that ended it in the place of its own.
+/// Of one that had ended before (`used_already`) no earlier success is shown: its reason has not ended.
+template <typename Conversation> [[nodiscard]] constexpr auto outcome_of(Conversation&& conversation, errc why) noexcept
+{
+    using outcome = decltype(outcome_of(std::forward<Conversation>(conversation)));
+    if constexpr (has_reason<Conversation> and not has_outcome<Conversation>) {
+        outcome reason = why == errc::used_already ? outcome{} : conversation.reason();
+        reason.error = why;
+        return reason;
+    } else {
+        return outcome{why};
+    }
+}
+
+/// Whether a conversation can be run: one that has ended already begins anew where it can.
+template <typename Conversation> [[nodiscard]] constexpr bool can_run(Conversation& conversation) noexcept
+{
+    if (not conversation.settled()) {
+        return true;
+    }
+    if constexpr (requires { conversation.again(); }) {
+        if constexpr (requires { conversation.leave_client(); }) {
+            conversation.leave_client();
+        }
+        conversation.again();
+        return true;
+    } else {
+        return false;
     }
 }
 

@@ -10,7 +10,6 @@
 #include <optional>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/write_plan.hpp>

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/ask/words_read.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>

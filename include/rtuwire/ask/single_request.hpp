@@ -12,7 +12,6 @@
 #include <optional>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/function.hpp>

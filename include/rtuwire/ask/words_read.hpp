@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Reads one register of any kind and width, with the register of its scale where it has one, by one request.
+// Reads one register of any kind and width, with the register of its scale where it has one, by one request. With
+// ask/access.hpp these have one code for all registers of a kind and width; ask/poller.hpp takes from here how words are read.
 #pragma once
 
 #include <array>
@@ -10,7 +11,6 @@
 #include <optional>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16.hpp>
 #include <rtuwire/core/result.hpp>
@@ -18,9 +18,11 @@
 #include <rtuwire/table/form/form.hpp>
 #include <rtuwire/table/key_range.hpp>
 #include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
-#include <rtuwire/wire/registers.hpp>
+#include <rtuwire/wire/unit_id.hpp>
+#include <rtuwire/wire/views.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -80,7 +82,7 @@ private:
     register_space space_;
 };
 
-/// Reads `Count` registers of a kind as words; the untyped base of `value_read`.
+/// Reads `Count` registers of a kind as words; the untyped base of `register_read` and `value_read`.
 template <register_space Space, std::size_t Count> class words_read : public finite_conversation {
 public:
     static constexpr bool keeps_meaning = true;
@@ -123,6 +125,21 @@ private:
     std::array<std::byte, 8> frame_;
 };
 
+/// Reads one holding register as a word, whatever the word stands for.
+using word_read = words_read<register_space::holding, 1>;
+
+/// Reads one register of values `T`; `outcome()` then gives the value, or why there is none.
+template <register_value T> class register_read : public word_read {
+public:
+    using word_read::word_read;
+
+    /// The value read, or why there is none; `busy` until it is settled.
+    [[nodiscard]] constexpr result<T> outcome() const noexcept
+    {
+        return error() == errc::none ? result<T>{from_word<T>(words()[0])} : result<T>{error()};
+    }
+};
+
 /// How many registers one request reads for a value, with those between it and its scale.
 template <auto const& R> inline constexpr std::size_t read_count = range_of<R>().last - range_of<R>().first + 1U;
 
@@ -155,6 +172,32 @@ private:
 };
 
 } // namespace detail
+
+/// Finds out whether a line gives back what is sent: reads one register of a unit and checks whether the request comes back,
+/// while it is sent or before the response. On such a line the echo of a function 06 request looks like the response to it, so
+/// this is worth one request before the first write. For a client without `has_line_echo`.
+class line_echo_probe : public detail::word_read {
+public:
+    explicit constexpr line_echo_probe(unit_id unit) noexcept : detail::word_read{unit, address} {}
+
+    /// Whether the line echoes; `busy` until it is settled. Errors: those of the client, where the unit did not
+    /// respond at all. An exception is a response.
+    [[nodiscard]] constexpr result<bool> outcome() const noexcept
+    {
+        errc const wrong = error();
+        if (wrong == errc::line_echo) {
+            return true;
+        }
+        if (wrong == errc::none or is_exception(wrong)) {
+            return false;
+        }
+        return wrong;
+    }
+
+private:
+    /// Any address: an exception is a response, too.
+    static constexpr std::uint16_t address = 0x0300;
+};
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <rtuwire/ask/outcome_of.hpp>
+#include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/needs.hpp>

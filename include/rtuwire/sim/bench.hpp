@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <rtuwire/ask/outcome_of.hpp>
+#include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/bytes.hpp>

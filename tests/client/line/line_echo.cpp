@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A line that gives back what is sent.
-#include <rtuwire/client/line_echo_probe.hpp>
+#include <rtuwire/ask/words_read.hpp>
 
 #include "support/manual_unit.hpp"
 #include "support/proof.hpp"

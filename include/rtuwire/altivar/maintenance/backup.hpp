@@ -13,7 +13,6 @@
 #include <rtuwire/altivar/maintenance/block_walk.hpp>
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>

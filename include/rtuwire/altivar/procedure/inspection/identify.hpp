@@ -10,7 +10,6 @@
 #include <optional>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/core/fixed_buffer.hpp>
 #include <rtuwire/core/version.hpp>
