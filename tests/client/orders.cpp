@@ -68,9 +68,9 @@ TEST_CASE("rule 36: an order to one copy of a client that was never used moves n
     static constinit orders<1> one{unused}, other{unused};
     hand_commander who{3};
     who.note_order_to_run();
-    one.visit(who, instant{1});
+    one.take_note_of(who, instant{1});
     CHECK(one.check(who, effect::enabling) == errc::none);
-    other.visit(who, instant{2});
+    other.take_note_of(who, instant{2});
     CHECK(other.check(who, effect::enabling) == errc::overruled);
 }
 

@@ -21,7 +21,7 @@ constexpr bool forgets_who_held_the_line_before()
     reservation anew;
     anew.begin(line, who, 1);
     anew = held;
-    return held.is_held() and not anew.is_held();
+    return held.is_on() and not anew.is_on();
 }
 PROOF("a client set up anew in its place is reserved for nobody", forgets_who_held_the_line_before)
 

@@ -114,7 +114,7 @@ DEFECTS = [
          "return detail::effect::none;")],
         {"a stop whose word"}),
     Defect("broadcast_freewheel waits in a slot of a silent unit", [
-        (BUS, "return not detail::frees_all_units<Conversation> and is_held_back(index, now);", "return is_held_back(index, now);")],
+        (BUS, "return not detail::frees_all_units<Conversation> and must_wait(index, now);", "return must_wait(index, now);")],
         {"a stop whose word"}),
     Defect("a stop that the drive does not have sends nothing", [
         (STOP, """        if (not detail::has_stop(layout(), mode_)) {

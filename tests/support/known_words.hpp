@@ -23,7 +23,7 @@ template <std::size_t Units> constexpr void confirm_words(orders<Units>& known, 
 {
     reader_of_meaning who{unit};
     known.note_start(now);
-    static_cast<void>(known.visit(who, now));
+    static_cast<void>(known.take_note_of(who, now));
 }
 
 /// The unit of a conversation that has no client.

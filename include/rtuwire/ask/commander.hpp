@@ -226,7 +226,7 @@ private:
     bool was_stopped_{false};
     bool has_ordered_{false};
     bool takes_over_{false};
-    bool has_come_by_{false};
+    bool has_visited_{false};
     bool has_stopped_{false};
     bool is_over_{false};
     bool is_stopping_{false}; ///< a stop that visited, up to its end

@@ -164,7 +164,7 @@ public:
             }
         }
         if (index < Slots) {
-            visit(index, detail::as_visited(conversation), now);
+            visit_slot(index, detail::as_visited(conversation), now);
         }
     }
 
@@ -185,7 +185,7 @@ public:
         is_idle_ = false;
         stays_awake_ = stays_awake_ or stays_awake<Conversation> or not conversation.settled();
         static_cast<void>(client_.deliver(conversation, not conversation.settled(), now));
-        client_.command(conversation, now);
+        client_.advance_and_note(conversation, now);
         is_urgent_ = not conversation.settled() and is_urgent(conversation);
         wake_at(wake_of(conversation), now);
         if (not conversation.settled() and
@@ -254,22 +254,22 @@ private:
 
     /// One visit of a conversation. Not inlined: a loop over slots has two instructions for each in an idle pass.
     template <typename Conversation>
-    [[gnu::noinline]] constexpr void visit(std::size_t index, Conversation& conversation, instant now) noexcept
+    [[gnu::noinline]] constexpr void visit_slot(std::size_t index, Conversation& conversation, instant now) noexcept
     {
         slot& own = slots_[index];
         stays_awake_ = stays_awake_ or stays_awake<Conversation>;
         own.is_here = true;
         own.is_present = not conversation.settled();
         bool const wants_turn =
-            not conversation.settled() and not is_urgent_ and not is_held_back(conversation, index, now);
+            not conversation.settled() and not is_urgent_ and not must_wait(conversation, index, now);
         if (auto const came = client_.deliver(conversation, wants_turn, now)) {
             note_health(own, *came, now);
         }
-        client_.command(conversation, now, not is_urgent_);
+        client_.advance_and_note(conversation, now, not is_urgent_);
         own.order_gap = order_gap_of(conversation);
         wake_at(wake_of(conversation), now);
         detail::turn_result turn = detail::turn_result::waits;
-        if (not is_urgent_ and not is_held_back(conversation, index, now)) {
+        if (not is_urgent_ and not must_wait(conversation, index, now)) {
             turn = client_.ask(conversation, now, own_retry_policy(own));
         }
         note_visit(index, turn, now);
@@ -293,7 +293,7 @@ private:
     /// Whether a conversation must wait in its slot. A stop request need not wait, nor a broadcast that takes the power; a
     /// conversation that commands a motor does not wait because of another unit that was asked in this slot before.
     template <typename Conversation>
-    constexpr bool is_held_back(Conversation const& conversation, std::size_t index, instant now) noexcept
+    constexpr bool must_wait(Conversation const& conversation, std::size_t index, instant now) noexcept
     {
         if constexpr (detail::commanding_conversation<Conversation>) {
             slot const& own = slots_[index];
@@ -302,7 +302,7 @@ private:
                 return false;
             }
         }
-        return not detail::frees_all_units<Conversation> and is_held_back(index, now);
+        return not detail::frees_all_units<Conversation> and must_wait(index, now);
     }
 
     /// A third of the drive's time-out is left for the turns of others after a probe.
@@ -430,15 +430,9 @@ private:
         }
     }
 
-    /// Notes a time at which `converse` is to be called again for a conversation; a time that has come needs no note,
-    /// because this is that call. One place is enough: `advance` ends all of these times, and those who visit then name
-    /// theirs again.
-    constexpr void wake_at(deadline const& next, instant now) noexcept
-    {
-        if (next and not reached(now, *next) and not(wake_ and reached(*next, *wake_))) {
-            wake_ = *next;
-        }
-    }
+    /// Notes a time at which `converse` is to be called again for a conversation. One place is enough: `advance` ends all of
+    /// these times, and those who visit then name theirs again.
+    constexpr void wake_at(deadline const& next, instant now) noexcept { detail::keep_earlier(wake_, next, now); }
 
     constexpr void note_health(slot& own, errc error, instant now) noexcept
     {
@@ -483,7 +477,7 @@ private:
     }
 
     /// Whether a slot must wait; `wake_`, or a time that `poll_deadline` knows, then says until when.
-    constexpr bool is_held_back(std::size_t index, instant now) noexcept
+    constexpr bool must_wait(std::size_t index, instant now) noexcept
     {
         slot& own = slots_[index];
         if (own.is_resting) {

@@ -112,8 +112,8 @@ public:
         instant const at = judged_at(now);
         seen_ = instant{now.microseconds | 1U}; // never 0
         bool const is_silence_over = orders_.advance(at, is_busy(), asked_unit());
-        if ((transaction_.advance(now, at) or is_silence_over) and is_held_back_) {
-            is_held_back_ = false;
+        if ((transaction_.advance(now, at) or is_silence_over) and is_put_off_) {
+            is_put_off_ = false;
             turns_.void_marks();
             turns_.note_waiting();
         }
@@ -142,7 +142,7 @@ public:
     /// The same, for a caller that collects several.
     constexpr void add_to(detail::earliest& next) const noexcept
     {
-        transaction_.add_to(next, reservation_.is_held(), instant{seen_.microseconds - 1U});
+        transaction_.add_to(next, reservation_.is_on(), instant{seen_.microseconds - 1U});
         orders_.add_to(next);
     }
 
@@ -219,7 +219,7 @@ public:
 
     /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
     /// is leaving or waits for its response is not ended. The latest of several ends counts.
-    constexpr void hold(unit_id unit, instant end) noexcept { transaction_.hold(unit, end); }
+    constexpr void hold(unit_id unit, instant end) noexcept { transaction_.keep_away(unit, end); }
 
     /// Whether no new request goes to a unit now: its response is outstanding, `hold` says so, or it was lost while it
     /// was ordered to run, and its own time-out has to stop it.
@@ -265,7 +265,7 @@ public:
                                 "a bus");
         if constexpr (may_come) { // else a compiler tells, besides, of each part that a plain client lacks
             static_cast<void>(deliver(conversation, not conversation.settled(), now));
-            command(conversation, now);
+            advance_and_note(conversation, now);
             static_cast<void>(ask(conversation, now, with));
             if constexpr (Orders::is_kept and detail::timed_conversation<Conversation>) {
                 orders_.wake_for(conversation.poll_deadline(), now);
@@ -296,12 +296,12 @@ public:
         } else {
             turns_.meet(conversation, conversation.settled());
         }
-        if (not comes_by(conversation, wants_turn, now)) { // the outcome may be another's
+        if (not claims_outcome(conversation, wants_turn, now)) { // the outcome may be another's
             return told;
         }
         turns_.renew(conversation);
         conversation.forget();
-        result<response> const outcome = take_outcome(now);
+        result<response> const outcome = take_and_note_outcome(now);
         conversation.accept(outcome);
         return outcome.error();
     }
@@ -310,7 +310,7 @@ public:
     /// stop request gets the line first, unless it `may_ask` nothing in this pass, or a later stop has its unit: then it takes
     /// the line from nobody.
     template <conversation Conversation>
-    constexpr void command(Conversation& conversation, instant now, bool may_ask = true) noexcept
+    constexpr void advance_and_note(Conversation& conversation, instant now, bool may_ask = true) noexcept
     {
         if constexpr (Orders::is_kept and detail::may_be_stop<Conversation>) {
             orders_.tell(conversation); // what it begins with depends on it
@@ -318,10 +318,10 @@ public:
         detail::advance_conversation(conversation, now);
         if constexpr (detail::commanding_conversation<Conversation> or detail::stops_by_broadcast<Conversation>) {
             if constexpr (detail::stops_by_broadcast<Conversation>) {
-                visit_for_all(conversation, now);
+                note_stop_of_all(conversation, now);
             } else {
                 bool const stops = conversation.begins_to_stop();
-                visit(conversation, now);
+                note_commander(conversation, now);
                 if (stops and not is_asked_by(conversation)) {
                     withdraw(conversation.unit().byte(), now); // its first request may be a read
                 }
@@ -359,7 +359,7 @@ public:
                 return refuse(conversation, wrong, now);
             }
             if (is_barred(conversation.unit().byte(), what)) {
-                return hold_back(conversation);
+                return put_off(conversation);
             }
         }
         auto const request = conversation.next();
@@ -368,7 +368,7 @@ public:
         }
         std::uint8_t const unit = request->frame().empty() ? std::uint8_t{0} : detail::to_u8(request->frame()[0]);
         if (is_barred(unit, what)) {
-            return hold_back(conversation);
+            return put_off(conversation);
         }
         errc const wrong =
             start(detail::as_declared<Conversation>(*request), now, unit, with, timeout_of(conversation, with));
@@ -389,7 +389,7 @@ public:
     {
         detail::client_phase const at = phase_now();
         bool const has_left = detail::is_under_way(at) and at > detail::client_phase::handed_out;
-        return has_left and turns_.others_wait() and not reservation_.is_held() and not is_held_back_;
+        return has_left and turns_.others_wait() and not reservation_.is_on() and not is_put_off_;
     }
 
 private:
@@ -413,9 +413,9 @@ private:
 
     // Whose turn it is.
 
-    /// A conversation visits. Returns whether the outcome is there and its own. A request is dropped where the next in
+    /// A conversation visits, and claims the outcome. Returns whether it is there and its own. A request is dropped where the next in
     /// turn finds its asker missing twice, or where the asker itself has given it up.
-    constexpr bool comes_by(asker& who, bool wants_turn, instant now) noexcept
+    constexpr bool claims_outcome(asker& who, bool wants_turn, instant now) noexcept
     {
         detail::client_phase const at = phase_now();
         bool const is_own = is_asked_by(who);
@@ -424,13 +424,13 @@ private:
         }
         detail::standing place = detail::standing::is_last;
         if (not is_own) {
-            place = turns_.visit(who);
+            place = turns_.mark(who);
         } else if (at == detail::client_phase::settled) {
             return true;
         } else if (at == detail::client_phase::waiting) {
             turns_.renew(who);
         }
-        if (transaction_.awaits_asker(reservation_.is_of_stops())) {
+        if (transaction_.awaits_asker(reservation_.is_for_stops())) {
             if (is_own) {
                 transaction_.get_ready(now);
             } else {
@@ -447,13 +447,13 @@ private:
         bool const takes_over = place == detail::standing::is_next and turns_.misses_asker();
         if (takes_over or place == detail::standing::is_last) {
             transaction_.drop(now);
-            static_cast<void>(take_outcome(now));
+            static_cast<void>(take_and_note_outcome(now));
         }
     }
 
     /// The outcome of the request. A missing response is noted, whatever becomes of the asker (but see `give_up`): a request
     /// that is not waited for has also fed its unit's watchdog.
-    constexpr result<response> take_outcome(instant now) noexcept
+    constexpr result<response> take_and_note_outcome(instant now) noexcept
     {
         orders_.note_outcome(asked_unit(), transaction_.heard_of_unit(), transaction_.was_repeated(), now);
         return transaction_.take_outcome();
@@ -480,7 +480,7 @@ private:
         }
         bool const is_silent = is_quiet();
         if constexpr (Orders::is_kept) {
-            if (reservation_.is_held() and not reservation_.misses_holder(turns_, who)) {
+            if (reservation_.is_on() and not reservation_.misses_owner(turns_, who)) {
                 if (is_silent) {
                     transaction_.wake(now);
                 }
@@ -491,8 +491,8 @@ private:
         if (not turns_.others_wait() and (is_silent or not is_prompt)) {
             return true;
         }
-        detail::standing const at = turns_.visit(who);
-        bool const may = is_silent and turns_.take(at);
+        detail::standing const at = turns_.mark(who);
+        bool const may = is_silent and turns_.opens_turn(at);
         if (is_silent and not may) {
             transaction_.wake(now);
         }
@@ -506,7 +506,7 @@ private:
         if (not is_free()) {
             return false;
         }
-        if (reservation_.is_held_for_another(unit) and not reservation_.misses_holder(turns_, who)) {
+        if (reservation_.is_for_another(unit) and not reservation_.misses_owner(turns_, who)) {
             transaction_.wake(now);
             return false;
         }
@@ -518,10 +518,10 @@ private:
     constexpr bool is_free() const noexcept { return phase_now() == detail::client_phase::idle and is_quiet(); }
 
     /// A conversation's unit gets no request now. The one that asked last has had its turn; others get one later.
-    constexpr detail::turn_result hold_back(asker const& who) noexcept
+    constexpr detail::turn_result put_off(asker const& who) noexcept
     {
         if (not turns_.is_last(who)) {
-            is_held_back_ = true;
+            is_put_off_ = true;
         }
         return detail::turn_result::passed;
     }
@@ -563,9 +563,9 @@ private:
     // What commanders may do. For other conversations these functions do nothing.
 
     /// A commander of one unit visits.
-    template <typename Conversation> constexpr void visit(Conversation& conversation, instant now) noexcept
+    template <typename Conversation> constexpr void note_commander(Conversation& conversation, instant now) noexcept
     {
-        if (orders_.visit(conversation, now)) {
+        if (orders_.take_note_of(conversation, now)) {
             conversation.note_loss();
         }
         if (not conversation.settled()) {
@@ -579,13 +579,13 @@ private:
     }
 
     /// A commander of all units visits, and with it its stops of one unit each.
-    template <typename Conversation> constexpr void visit_for_all(Conversation& conversation, instant now) noexcept
+    template <typename Conversation> constexpr void note_stop_of_all(Conversation& conversation, instant now) noexcept
     {
-        orders_.visit_for_all(conversation, now);
+        orders_.take_note_of_all(conversation, now);
         for (auto& each : conversation.stops()) {
             static_assert(detail::commanding_conversation<std::remove_reference_t<decltype(each)>>,
                           "each stop of a conversation that stops all units commands one of them");
-            visit(detail::as_visited(each), now);
+            note_commander(detail::as_visited(each), now);
         }
         if (conversation.is_urgent()) {
             orders_.lose_all_but_its_own(conversation, now);
@@ -647,7 +647,7 @@ private:
     /// unit: none of these is the echo of a stop request.
     constexpr bool is_barred(std::uint8_t unit, detail::effect what) const noexcept
     {
-        return orders_.is_silent(unit, what) or (what != detail::effect::stopping and transaction_.is_held(unit));
+        return orders_.is_silent(unit, what) or (what != detail::effect::stopping and transaction_.is_kept_away(unit));
     }
 
     /// The unit that a stop request stops; 0 for one of several.
@@ -679,11 +679,11 @@ private:
 
     constexpr void make_way_for(asker& who, std::uint8_t unit, bool may_cut, instant now) noexcept
     {
-        bool const may_drop = may_cut or not reservation_.is_of_stops();
+        bool const may_drop = may_cut or not reservation_.is_for_stops();
         // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits: those for
         // one unit, which give each other up, keep the line from no other.
-        if (not reservation_.is_held_for_another(unit) and
-            not(reservation_.is_held() and transaction_.awaits_asker(reservation_.is_of_stops()))) {
+        if (not reservation_.is_for_another(unit) and
+            not(reservation_.is_on() and transaction_.awaits_asker(reservation_.is_for_stops()))) {
             reservation_.begin(turns_, who, unit);
         }
         give_up(may_cut, may_drop, now);
@@ -692,7 +692,7 @@ private:
     /// A stop has begun: what has not left for its unit, and is no stop's, does not leave.
     constexpr void withdraw(std::uint8_t unit, instant now) noexcept
     {
-        if (asked_unit() == unit and not reservation_.is_of_stops()) {
+        if (asked_unit() == unit and not reservation_.is_for_stops()) {
             give_up(false, true, now);
         }
     }
@@ -709,7 +709,7 @@ private:
     // Small processors reach what is near with short instructions: what each pass uses stands in front of the transaction,
     // which ends with the memory of a frame.
     [[no_unique_address]] detail::turns turns_;
-    bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
+    bool is_put_off_{false}; ///< a conversation waits for a unit that gets no request now
     [[no_unique_address]] std::conditional_t<Orders::is_kept, detail::reservation, detail::no_reservation>
         reservation_{};
     detail::transaction<Needs> transaction_;

@@ -120,13 +120,9 @@ private:
     /// Of a unit that loses its place only the stamps are kept; they count for all units without a place.
     constexpr void forget(unit_order const& known) noexcept
     {
-        others_.last_stop = later(others_.last_stop, known.last_stop);
-        others_.last_fault = later(others_.last_fault, known.last_fault);
-        others_.rearranged = later(others_.rearranged, known.rearranged);
-    }
-    static constexpr std::uint32_t later(std::uint32_t one, std::uint32_t other) noexcept
-    {
-        return is_older(one, other) ? other : one;
+        others_.last_stop = newer_of(others_.last_stop, known.last_stop);
+        others_.last_fault = newer_of(others_.last_fault, known.last_fault);
+        others_.rearranged = newer_of(others_.rearranged, known.rearranged);
     }
 
     std::array<unit_order, Units> places_{filled<Units>(nothing_known)};

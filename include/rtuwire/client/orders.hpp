@@ -123,24 +123,24 @@ public:
 
     /// A commander of one unit visits: notes what its user wants, and what it read. Returns whether its unit was lost
     /// since its last visit.
-    constexpr bool visit(commander& who, instant now) noexcept
+    constexpr bool take_note_of(commander& who, instant now) noexcept
     {
         meet(who);
         unit_order const& before = places_.of(who.whose_.byte());
         bool const is_lost = before.is_lost and is_older(who.seen_, before.last_stop);
         // An order given since the last visit may be older than what happened meanwhile.
-        bool const is_doubtful = (who.has_come_by_ and has_happened(who.seen_, before)) or
+        bool const is_doubtful = (who.has_visited_ and has_happened(who.seen_, before)) or
                                  (who.ordered_behind_ != 0 and has_happened(who.ordered_behind_, before));
         who.ordered_behind_ = 0;
         who.was_stopped_ = who.was_stopped_ or is_doubtful;
         // One that visits for the first time has read nothing yet that this could have changed.
-        bool const is_rearranged = who.has_come_by_ and is_older(who.seen_, before.rearranged);
+        bool const is_rearranged = who.has_visited_ and is_older(who.seen_, before.rearranged);
         who.was_rearranged_ = who.was_rearranged_ or is_rearranged;
         take_notes(who, is_doubtful, now);
         if (who.is_stopping_) {
             keep_hold(who, now);
         }
-        who.has_come_by_ = true;
+        who.has_visited_ = true;
         who.seen_ = count_;
         who.is_silenced_ = is_silent(who.whose_.byte(), effect::stopping);
         unit_order const& own = places_.of(who.whose_.byte());
@@ -225,7 +225,7 @@ public:
     // Stops of all units, and holds that nobody ends.
 
     /// A commander that stops every unit visits.
-    constexpr void visit_for_all(commander& who, instant now) noexcept
+    constexpr void take_note_of_all(commander& who, instant now) noexcept
     {
         meet(who);
         if (who.has_stopped_) {
@@ -374,13 +374,7 @@ public:
 
     /// When `converse` is to be called again for a conversation; for clients, which know no other times of their
     /// conversations.
-    constexpr void wake_for(deadline const& when, instant now) noexcept
-    {
-        bool const is_ahead = when and not reached(now, *when);
-        if (is_ahead and not(wake_ and reached(*when, *wake_))) {
-            wake_ = when;
-        }
-    }
+    constexpr void wake_for(deadline const& when, instant now) noexcept { keep_earlier(wake_, when, now); }
 
     /// Whether a unit is lost.
     [[nodiscard]] constexpr bool is_lost(std::uint8_t unit) const noexcept { return places_.of(unit).is_lost; }

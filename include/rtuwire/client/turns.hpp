@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
@@ -46,6 +47,15 @@ enum class turn_result : std::uint8_t {
     passed, ///< it has no request now, its unit is held, or its request was refused
 };
 
+/// Keeps the earlier of two times at which `converse` is to be called again for a conversation. One that has come needs no
+/// note: this is that call.
+constexpr void keep_earlier(deadline& kept, deadline const& next, instant now) noexcept
+{
+    if (next and not reached(now, *next) and not(kept and reached(*next, *kept))) {
+        kept = next;
+    }
+}
+
 /// The turns on one line.
 class turns {
 public:
@@ -76,7 +86,7 @@ public:
     /// Voids the marks where the conversation that asked last is not at hand.
     constexpr void void_marks() noexcept
     {
-        mark_ = static_cast<std::uint8_t>((mark_ + marks_step) & (all_marks - marks_step));
+        mark_ = static_cast<std::uint8_t>((mark_ + mark_step) & (marks_begin - mark_step));
     }
 
     /// Whether it was this conversation that asked last.
@@ -116,21 +126,21 @@ public:
     constexpr void note_waiting() noexcept { others_wait_ = true; }
     [[nodiscard]] constexpr bool others_wait() const noexcept { return others_wait_; }
 
-    /// A conversation that may have to wait visits. The next in turn is the first that visits twice, beginning after
+    /// Marks a conversation that visits and may have to wait. The next in turn is the first that visits twice, beginning after
     /// the one that asked, so that one that is gone in the next pass is never the next. It stays the next while it
     /// visits; otherwise the first that visits twice meanwhile is next. A function of its own, which is smaller.
-    constexpr standing visit(asker& who) noexcept
+    constexpr standing mark(asker& who) noexcept
     {
         if (is_last(who)) {
             return standing::is_last;
         }
         others_wait_ = true;
         standing place = standing::waits;
-        if (who.ticket_ == mark() and who.turns_ == this) {
+        if (who.ticket_ == next_mark() and who.turns_ == this) {
             void_marks();
             place = standing::is_next;
         }
-        give(who, mark());
+        give(who, next_mark());
         return place;
     }
 
@@ -148,14 +158,14 @@ public:
     {
         void_marks();
         if (not is_last(who)) {
-            give(who, mark()); // its own number stays valid
+            give(who, next_mark()); // its own number stays valid
         }
     }
 
     /// Whether a conversation of this standing may ask now, where the line is free and others wait. The visit of the
     /// one that was served last opens the turn for those that visit after it; where it does not visit, the turn is
     /// that of the next.
-    constexpr bool take(standing at) noexcept
+    constexpr bool opens_turn(standing at) noexcept
     {
         others_wait_ = at == standing::waits;
         return at == standing::is_next;
@@ -179,7 +189,7 @@ private:
     }
 
     /// A number that `asker::forget` does not change.
-    constexpr std::uint32_t mark() const noexcept { return number_ + all_marks + mark_ + (marks_step - 1U); }
+    constexpr std::uint32_t next_mark() const noexcept { return number_ + marks_begin + mark_ + (mark_step - 1U); }
 
     /// Scattered: two of a thousand clients lie 80 000 requests apart or more.
     static std::uint32_t first_number() noexcept
@@ -188,8 +198,8 @@ private:
         return next_client_number() * golden_section * asker::step;
     }
 
-    static constexpr std::uint8_t marks_step = 4;
-    static constexpr std::uint8_t all_marks = asker::step / 2;
+    static constexpr std::uint8_t mark_step = 4;
+    static constexpr std::uint8_t marks_begin = asker::step / 2; ///< behind a number; as far again to the next one
 
     std::uint32_t number_; ///< of a request, in steps; a number behind it marks a visit since
     std::uint8_t mark_{0};
@@ -213,7 +223,7 @@ public:
 
     constexpr void begin(turns& line, asker& who, std::uint8_t unit) noexcept
     {
-        state_ = state::held;
+        state_ = state::reserved;
         unit_ = unit;
         line.put_first(who);
     }
@@ -222,21 +232,18 @@ public:
     /// Another conversation may ask now.
     constexpr void end() noexcept { state_ = state::none; }
 
-    [[nodiscard]] constexpr bool is_held() const noexcept { return state_ >= state::held; }
+    [[nodiscard]] constexpr bool is_on() const noexcept { return state_ >= state::reserved; }
     /// Whether a stop of another unit comes first; 0 stands for all units.
-    [[nodiscard]] constexpr bool is_held_for_another(std::uint8_t unit) const noexcept
-    {
-        return is_held() and unit_ != unit;
-    }
+    [[nodiscard]] constexpr bool is_for_another(std::uint8_t unit) const noexcept { return is_on() and unit_ != unit; }
     /// Whether a request under way that has not left yet is a stop's: where the line is reserved, all others left or were
     /// given up.
-    [[nodiscard]] constexpr bool is_of_stops() const noexcept { return state_ != state::none; }
+    [[nodiscard]] constexpr bool is_for_stops() const noexcept { return state_ != state::none; }
 
     /// Another conversation visits while the line is reserved. Returns whether it does for the second time since the
     /// last visit of the reserving one: that one is gone.
-    constexpr bool misses_holder(turns& line, asker& who) noexcept
+    constexpr bool misses_owner(turns& line, asker& who) noexcept
     {
-        standing const at = line.visit(who);
+        standing const at = line.mark(who);
         bool const is_gone = at == standing::is_next or (at == standing::is_last and state_ == state::missed);
         if (at == standing::is_last) {
             state_ = state::missed;
@@ -245,9 +252,9 @@ public:
     }
 
 private:
-    /// `used`: the latest request is a stop's. `missed`: held, and the conversation that asked last visited since the
+    /// `used`: the latest request is a stop's. `missed`: reserved, and the conversation that asked last visited since the
     /// reserving one did.
-    enum class state : std::uint8_t { none, used, held, missed };
+    enum class state : std::uint8_t { none, used, reserved, missed };
 
     state state_{state::none};
     std::uint8_t unit_{0};
@@ -255,8 +262,8 @@ private:
 
 /// The line of a client without commanders, for which nobody reserves it.
 struct no_reservation {
-    [[nodiscard]] static constexpr bool is_held() noexcept { return false; }
-    [[nodiscard]] static constexpr bool is_of_stops() noexcept { return false; }
+    [[nodiscard]] static constexpr bool is_on() noexcept { return false; }
+    [[nodiscard]] static constexpr bool is_for_stops() noexcept { return false; }
 };
 
 } // namespace detail

@@ -203,8 +203,8 @@ public:
         return refused_frame{framer_.bytes(memory_), due_size<Functions>(request(), framer_.bytes(memory_))};
     }
 
-    constexpr void hold(unit_id unit, instant end) noexcept { quarantine_.begin(unit.byte(), end); }
-    [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept { return quarantine_.covers(unit); }
+    constexpr void keep_away(unit_id unit, instant end) noexcept { quarantine_.begin(unit.byte(), end); }
+    [[nodiscard]] constexpr bool is_kept_away(std::uint8_t unit) const noexcept { return quarantine_.covers(unit); }
     [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return echo_.is_known(); }
     [[nodiscard]] constexpr line_timing const& line() const noexcept { return memory_.timing(); }
     [[nodiscard]] constexpr client_options const& options() const noexcept { return options_.get(); }
@@ -219,7 +219,7 @@ public:
         if (errc const wrong = request_.keep(asked.frame(), framer_, memory_); wrong != errc::none) {
             return wrong;
         }
-        must_send_now_ = not asked.may_be_repeated();
+        may_not_wait_ = not asked.may_be_repeated();
         is_woken_ = false;
         retries_.begin(with, asked.may_be_repeated() and unit() != 0);
         wait_for_silence(now);
@@ -382,7 +382,7 @@ private:
         if (phase_ != phase::ready) {
             return;
         }
-        if (must_send_now_) {
+        if (may_not_wait_) {
             settle(errc::bus_jam, now);
         } else {
             wait_for_silence(now);
@@ -671,8 +671,8 @@ private:
     [[no_unique_address]] cutter framer_; ///< cuts the response out of the bytes that arrive
     kept_phase phase_{client_phase::idle};
     errc error_{errc::none};
-    bool is_woken_{false};      ///< the next pass has something to do at once
-    bool must_send_now_{false}; ///< bytes on the line end the request once it is ready
+    bool is_woken_{false};     ///< the next pass has something to do at once
+    bool may_not_wait_{false}; ///< bytes on the line end the request once it is ready
     [[no_unique_address]] line_echo echo_;
     [[no_unique_address]] noise_allowance<Options> noise_{};
     [[no_unique_address]] retry_state retries_;

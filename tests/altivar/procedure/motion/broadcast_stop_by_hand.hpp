@@ -53,9 +53,9 @@ template <std::size_t Drives> struct everyone_by_hand {
     {
         motors.advance(now, false, 0);
         all.advance(now);
-        motors.visit_for_all(all, now);
+        motors.take_note_of_all(all, now);
         for (altivar::stop& each : all.stops()) {
-            if (motors.visit(each, now)) {
+            if (motors.take_note_of(each, now)) {
                 each.note_loss();
             }
         }

@@ -36,7 +36,7 @@ template <typename Conversation> constexpr std::optional<errc> told_behind(Conve
     orders<2> motors;
     auto const comes_by = [&](auto& conversation) {
         conversation.advance(now);
-        motors.visit(conversation, now);
+        motors.take_note_of(conversation, now);
         return motors.check(conversation, effect::enabling);
     };
     start first{drive, 50_Hz};
