@@ -59,7 +59,7 @@ TRICKS = (
     inlining("inline", "wire/functions.hpp", "constexpr std::size_t size_hint("),
     inlining("inline", "rtu/foreign_exchange.hpp", "static constexpr end_hint apply("),
     inlining("inline", "rtu/foreign_exchange.hpp", "constexpr end_hint apply("),
-    inlining("inline", "rtu/frame_cutter.hpp", "constexpr bool apply_length_rule("),
+    inlining("inline", "rtu/framer.hpp", "constexpr bool apply_length_rule("),
     inlining("inline", "server/server.hpp", "constexpr void serve_by("),
     inlining("not inline", "server/respond.hpp", "constexpr errc respond_apart("),
     inlining("inline", "client/client.hpp", "constexpr void replace_asker("),
@@ -95,10 +95,10 @@ TRICKS = (
     Trick("a PDU's view made of pointer and size", "wire/adu.hpp", (
         ("    return {frame.data() + 1, frame.size() - adu_overhead};",
          "    return frame.subspan(1, frame.size() - adu_overhead);"),)),
-    Trick("a server's deadline in a form of its own", "rtu/frame_cutter.hpp", (
+    Trick("a server's deadline in a form of its own", "rtu/framer.hpp", (
         ("        return activity_ == activity::unknown or not waits_for_silence() ? deadline{} : deadline{last_ + "
          "end_silence()};", "        earliest next;\n        add_to(next);\n        return next;"),)),
-    Trick("a state's step by one comparison", "rtu/frame_cutter.hpp", (
+    Trick("a state's step by one comparison", "rtu/framer.hpp", (
         ("        if (waits_for_silence()) {\n"
          "            state_ = state_ == state::synchronising ? state::idle : state::done;\n        }\n",
          "        switch (state_) {\n        case state::synchronising: state_ = state::idle; break;\n"

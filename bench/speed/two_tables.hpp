@@ -9,7 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rtuwire/core/crc16/tables.hpp>
+#include <rtuwire/core/crc16.hpp>
 
 namespace bench {
 
@@ -22,8 +22,10 @@ constexpr two_tables make_two_tables()
 {
     two_tables made;
     for (std::size_t i = 0; i < 256; ++i) {
-        made.low[i] = static_cast<std::uint8_t>(rtuwire::crc16_tables::of_byte(static_cast<std::uint32_t>(i)) & 0xFFU);
-        made.high[i] = static_cast<std::uint8_t>(rtuwire::crc16_tables::of_byte(static_cast<std::uint32_t>(i)) >> 8U);
+        made.low[i] =
+            static_cast<std::uint8_t>(rtuwire::detail::crc16_tables::of_byte(static_cast<std::uint32_t>(i)) & 0xFFU);
+        made.high[i] =
+            static_cast<std::uint8_t>(rtuwire::detail::crc16_tables::of_byte(static_cast<std::uint32_t>(i)) >> 8U);
     }
     return made;
 }

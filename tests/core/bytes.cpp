@@ -9,7 +9,6 @@
 #include "support/exact.hpp"
 #include "support/proof.hpp"
 
-#include <rtuwire/core/fixed_buffer.hpp>
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;

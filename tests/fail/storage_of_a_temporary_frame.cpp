@@ -3,7 +3,7 @@
 // Bytes to be written, of a buffer that is gone before anybody writes them.
 // EXPECT: deleted
 // EXPECT: storage
-#include <rtuwire/core/fixed_buffer.hpp>
+#include <rtuwire/core/bytes.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::detail;

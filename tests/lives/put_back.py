@@ -56,15 +56,15 @@ DEFECTS = [
     Defect("D23 what was in force lies ahead after half the counter: the client", [
         ("core/time.hpp", "return (now - before).microseconds - half < reach ? instant{before.microseconds + reach} : now;",
          "return reach == 0 ? before : now;"),
-        ("rtu/frame_cutter.hpp", "return within_reach(last_, now, in.timing().characters(max_adu_size) + latency);",
+        ("rtu/framer.hpp", "return within_reach(last_, now, in.timing().characters(max_adu_size) + latency);",
          "duration const ahead = in.timing().characters(max_adu_size) + latency; std::uint32_t const reach = 0x8000'0000U - "
          "ahead.microseconds; return (now - last_).microseconds - 0x8000'0000U < reach ? instant{last_.microseconds + reach} "
          ": now;"),
     ], {"a stop whose word", "a unit that hears", *POWER}),
     Defect("D24 what was in force lies ahead after half the counter: the line", [
-        ("rtu/frame_cutter.hpp", "return within_reach(last_, now, in.timing().characters(max_adu_size) + latency);",
+        ("rtu/framer.hpp", "return within_reach(last_, now, in.timing().characters(max_adu_size) + latency);",
          "static_cast<void>(latency); return now;"),
-        ("rtu/frame_cutter.hpp", "not(waits_for_silence() or activity_ == activity::busy)", "not waits_for_silence()"),
+        ("rtu/framer.hpp", "not(waits_for_silence() or activity_ == activity::busy)", "not waits_for_silence()"),
     ], {"a unit that hears", "a stop whose word", *POWER}),
     Defect("D25 a reference beyond the drive's limits is taken", [
         ("altivar/procedure/inspection/reference_limits.hpp",

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/core/filled.hpp>
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/sim/bench.hpp>
 
 namespace rtuwire::test {

@@ -67,7 +67,7 @@ WEAKENINGS = [
               {"foreign responses"}),
     Weakening("a debt after an answer counted from the last sending", "client/line/request.hpp",
               "if (unanswered_ == 0) {", "first_sent_ = at; if (unanswered_ == 0) {", {"foreign responses"}),
-    Weakening("t3.5 as t1.5 before a frame", "rtu/frame_cutter.hpp",
+    Weakening("t3.5 as t1.5 before a frame", "rtu/framer.hpp",
               "if (reached(at, last_ + in.timing().silence())) {",
               "if (reached(at, last_ + in.timing().t1_5())) {",
               {"short silences"}),

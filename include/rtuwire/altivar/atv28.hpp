@@ -7,7 +7,6 @@
 // What refuses a mistake stands directly below this door, each header before those that include it: GCC prints a line
 // for every header between the source and the one that refuses, and its sentence comes after them.
 #include <rtuwire/core/quantity.hpp>
-#include <rtuwire/core/quantity_arithmetic.hpp>
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/table/table.hpp>
 #include <rtuwire/wire/unit_id.hpp>

@@ -18,7 +18,6 @@
 #include <utility>
 
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/fixed_buffer.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>

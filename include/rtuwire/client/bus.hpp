@@ -17,7 +17,6 @@
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/filled.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/trace/observer.hpp>

@@ -13,7 +13,6 @@
 
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/statistics.hpp>
-#include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/ask/unit_order.hpp>
-#include <rtuwire/core/filled.hpp>
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {

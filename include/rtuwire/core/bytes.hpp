@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Byte views and big-endian cursors. Never reads or writes outside a span; knows no frame, no field and no
-// protocol.
+// Byte views, big-endian cursors, and arrays in place: of bytes whose number is known only after encoding, of equal
+// values. Never reads or writes outside a span; never allocates; knows no frame, no field and no protocol.
 #pragma once
 
+#include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include <rtuwire/core/version.hpp>
 
@@ -162,6 +165,74 @@ private:
     std::byte* end_;
     bool ok_{true};
 };
+
+namespace detail {
+
+/// Up to `Capacity` bytes, stored in place.
+template <std::size_t Capacity> class fixed_buffer {
+    static_assert(Capacity <= 0xFFFF, "a fixed_buffer counts its bytes in sixteen bits");
+
+public:
+    /// An empty buffer.
+    constexpr fixed_buffer() noexcept = default;
+
+    /// All of the storage, to be filled from its start and then kept with `resize`.
+    [[nodiscard]] constexpr byte_span storage() & noexcept { return storage_; }
+    [[nodiscard]] byte_span storage() && = delete;
+
+    /// Keeps the first `size` bytes; a size above the capacity keeps the capacity.
+    constexpr void resize(std::size_t size) noexcept
+    {
+        size_ = static_cast<std::uint16_t>(size < Capacity ? size : Capacity);
+    }
+
+    /// The bytes held, valid while the buffer lives and is not resized.
+    [[nodiscard]] constexpr byte_view view() const& noexcept { return byte_view{storage_}.first(size_); }
+
+    /// The bytes held, for functions that take a view.
+    constexpr operator byte_view() const& noexcept { return view(); }
+
+    /// A temporary buffer gives no view, not even to a function that would read it only once:
+    /// `byte_view bytes = *encode(...)` does not show that its bytes are gone after the statement.
+    template <std::same_as<byte_view> View = byte_view> [[nodiscard]] constexpr View view() const&& noexcept
+    {
+        return view_of_none<View>();
+    }
+    template <std::same_as<byte_view> View> constexpr operator View() const&& noexcept { return view_of_none<View>(); }
+
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] static constexpr std::size_t capacity() noexcept { return Capacity; }
+
+    /// Byte-wise equality with anything that is a view of bytes.
+    friend constexpr bool operator==(fixed_buffer const& left, byte_view right) noexcept
+    {
+        return same_bytes(left.view(), right);
+    }
+
+private:
+    template <typename View> static constexpr View view_of_none() noexcept
+    {
+        static_assert(not std::same_as<View, byte_view>,
+                      "a frame that ends with its expression gives no view: give it a name first");
+        return {};
+    }
+
+    std::array<std::byte, Capacity> storage_{};
+    std::uint16_t size_{0};
+};
+
+/// `Size` times `value`, which may be of a type without a default value.
+template <std::size_t Size, typename T> [[nodiscard]] constexpr std::array<T, Size> filled(T const& value) noexcept
+{
+    return [&]<std::size_t... I>(std::index_sequence<I...>)
+    {
+        return std::array<T, Size>{(static_cast<void>(I), value)...};
+    }
+    (std::make_index_sequence<Size>{});
+}
+
+} // namespace detail
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -4,6 +4,11 @@
 // Numbers with a unit of measure. A quantity counts steps of a fixed size (`Scale`) of one dimension, in
 // integers only. Conversion to a finer step is implicit, to a coarser one it is `truncated_to`; one dimension
 // never converts to another, and a plain number never to or from a quantity unless the unit is named.
+// Quantities of one dimension compare, add and subtract by value, whatever their steps and their width; an integer
+// multiplies and divides them. The result counts the finer of two steps, in a type that holds every result of 16-bit
+// operands. Where 64 bits do not hold it, or the divisor is 0, the result is the end of these 64 bits: it stays there,
+// whatever is added, it prints as "out of range", and no register takes it. In a constant expression it does not
+// compile.
 #pragma once
 
 #include <compare>
@@ -11,9 +16,10 @@
 #include <cstdint>
 #include <limits>
 #include <ratio>
+#include <type_traits>
 #include <utility>
 
-#include <rtuwire/core/unshown.hpp>
+#include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
@@ -268,9 +274,335 @@ template <typename Target, std::integral Rep, typename Scale>
     return Target{static_cast<target_rep>(steps)};
 }
 
-/// Does not compile: core/unshown.hpp says why.
+/// Does not compile: core/result.hpp says why.
 template <typename Dimension, std::integral Rep, typename Scale>
 void operator<<(detail::include_rtuwire_print_hpp_to_show_this, quantity<Dimension, Rep, Scale>);
+
+/// Not constexpr, so that in a constant expression the compiler reports one of these names. At run time they do
+/// nothing.
+inline void this_amount_does_not_fit_64_bits() noexcept {}
+inline void this_amount_is_divided_by_zero_here() noexcept {}
+
+namespace detail {
+
+/// The ends of 64 bits: amounts that are out of range.
+inline constexpr std::int64_t above_all = (std::numeric_limits<std::int64_t>::max)();
+inline constexpr std::int64_t below_all = (std::numeric_limits<std::int64_t>::min)();
+
+/// Whether a count of 64 bits stands for an amount that they do not hold.
+[[nodiscard]] constexpr bool is_out_of_range(std::int64_t count) noexcept
+{
+    return count == above_all or count == below_all;
+}
+
+[[nodiscard]] constexpr std::int64_t out_of_range(bool is_negative) noexcept
+{
+    return is_negative ? below_all : above_all;
+}
+
+/// The size of a number without its sign.
+[[nodiscard]] constexpr std::uint64_t magnitude(std::int64_t count) noexcept
+{
+    auto const bits = static_cast<std::uint64_t>(count);
+    return count < 0 ? 0U - bits : bits;
+}
+
+/// The opposite; of one end, the other.
+[[nodiscard]] constexpr std::int64_t opposite(std::int64_t count) noexcept
+{
+    return is_out_of_range(count) ? out_of_range(count > 0) : -count;
+}
+
+/// The product, or an end where 64 bits do not hold it. By halves: 32-bit machines have no product of 128 bits.
+[[nodiscard]] constexpr std::int64_t bounded_product(std::int64_t left, std::int64_t right) noexcept
+{
+    bool const is_negative = (left < 0) != (right < 0);
+    if (is_out_of_range(left)) {
+        return out_of_range(is_negative);
+    }
+    constexpr std::uint64_t low = 0xFFFF'FFFFU;
+    std::uint64_t const a = magnitude(left);
+    std::uint64_t const b = magnitude(right);
+    if ((a >> 32U) != 0 and (b >> 32U) != 0) {
+        return out_of_range(is_negative);
+    }
+    std::uint64_t const upper = (a >> 32U) * (b & low) + (a & low) * (b >> 32U);
+    std::uint64_t const lower = (a & low) * (b & low);
+    constexpr auto end = static_cast<std::uint64_t>(above_all);
+    if (upper > (end >> 32U) or lower > end - (upper << 32U)) {
+        return out_of_range(is_negative);
+    }
+    auto const product = static_cast<std::int64_t>((upper << 32U) + lower);
+    return is_negative ? -product : product;
+}
+
+/// The product; what does not fit is refused in a constant expression.
+[[nodiscard]] constexpr std::int64_t product_of_counts(std::int64_t count, std::int64_t factor) noexcept
+{
+    std::int64_t const product = bounded_product(count, factor);
+    if (is_out_of_range(product)) {
+        this_amount_does_not_fit_64_bits();
+    }
+    return product;
+}
+
+/// The sum; an end stays one.
+[[nodiscard]] constexpr std::int64_t sum_of_counts(std::int64_t left, std::int64_t right) noexcept
+{
+    std::int64_t sum = 0;
+    if (is_out_of_range(left)) {
+        return left;
+    }
+    if (is_out_of_range(right)) {
+        return right;
+    }
+    if (__builtin_add_overflow(left, right, &sum) or is_out_of_range(sum)) {
+        this_amount_does_not_fit_64_bits();
+        return out_of_range(left < 0);
+    }
+    return sum;
+}
+
+/// The quotient, its remainder cut off; an end where the divisor is 0.
+[[nodiscard]] constexpr std::int64_t quotient_of_counts(std::int64_t count, std::int64_t divisor) noexcept
+{
+    if (divisor == 0) {
+        this_amount_is_divided_by_zero_here();
+        return out_of_range(count < 0);
+    }
+    return is_out_of_range(count) ? out_of_range((count < 0) != (divisor < 0)) : count / divisor;
+}
+
+/// The largest size of a type's numbers.
+template <std::integral Rep>
+inline constexpr std::uint64_t largest_size = static_cast<std::uint64_t>((std::numeric_limits<Rep>::max)()) +
+                                              (std::is_signed_v<Rep> ? 1U : 0U);
+
+/// Whether every multiple of a type's numbers stays below a limit.
+template <std::integral Rep, std::intmax_t Factor, std::uint64_t Limit>
+inline constexpr bool stays_below = largest_size<Rep> <= (Limit - 1) / static_cast<std::uint64_t>(Factor);
+
+/// The type for a result whose operands are 16 bits wide and below half of 32 bits; for all others 64 bits.
+template <bool IsNarrow> using result_rep = std::conditional_t<IsNarrow, std::int32_t, std::int64_t>;
+
+/// The greatest common divisor of two positive numbers.
+[[nodiscard]] consteval std::intmax_t common_divisor(std::intmax_t left, std::intmax_t right) noexcept
+{
+    while (right != 0) {
+        std::intmax_t const rest = left % right;
+        left = right;
+        right = rest;
+    }
+    return left;
+}
+
+/// What two quantities have in common: the coarsest step of which both are whole multiples, and how many of it make
+/// one step of each.
+template <any_quantity Left, any_quantity Right> struct common_steps {
+    using left = typename Left::scale;
+    using right = typename Right::scale;
+    using scale = typename std::ratio<common_divisor(left::num, right::num),
+                                      left::den / common_divisor(left::den, right::den) * right::den>::type;
+    static constexpr std::intmax_t of_left = std::ratio_divide<left, scale>::num;
+    static constexpr std::intmax_t of_right = std::ratio_divide<right, scale>::num;
+
+    /// Whether each is below half of a limit, so that their sum is below it.
+    template <std::uint64_t Limit>
+    static constexpr bool stay_below =
+        stays_below<typename Left::rep, of_left, Limit / 2>and stays_below<typename Right::rep, of_right, Limit / 2>;
+
+    static constexpr bool are_narrow = stay_below<std::uint64_t{1} << 31U>;
+    static constexpr bool are_bounded = stay_below<std::uint64_t{1} << 63U>;
+    using rep = result_rep<are_narrow>;
+    using sum = quantity<typename Left::dimension, rep, scale>;
+};
+
+template <any_quantity Left, any_quantity Right>
+[[nodiscard]] constexpr std::strong_ordering compared(Left left, Right right) noexcept
+{
+    using steps = common_steps<Left, Right>;
+    if constexpr (steps::are_bounded) {
+        using rep = typename steps::rep;
+        return static_cast<rep>(static_cast<rep>(left.count()) * static_cast<rep>(steps::of_left)) <=>
+               static_cast<rep>(static_cast<rep>(right.count()) * static_cast<rep>(steps::of_right));
+    } else {
+        static_assert(steps::of_left == 1 or steps::of_right == 1 or
+                          stays_below<typename Left::rep, steps::of_left, above_all> or
+                          stays_below<typename Right::rep, steps::of_right, above_all>,
+                      "amounts of 64 bits compare where one step is a whole number of the other");
+        return bounded_product(left.count(), steps::of_left) <=> bounded_product(right.count(), steps::of_right);
+    }
+}
+
+template <bool IsDifference, any_quantity Left, any_quantity Right>
+[[nodiscard]] constexpr auto combined(Left left, Right right) noexcept
+{
+    using steps = common_steps<Left, Right>;
+    using rep = typename steps::rep;
+    using sum = typename steps::sum;
+    if constexpr (steps::are_bounded) {
+        auto const first = static_cast<rep>(static_cast<rep>(left.count()) * static_cast<rep>(steps::of_left));
+        auto const second = static_cast<rep>(static_cast<rep>(right.count()) * static_cast<rep>(steps::of_right));
+        return sum{static_cast<rep>(IsDifference ? first - second : first + second)};
+    } else {
+        std::int64_t const first = product_of_counts(left.count(), steps::of_left);
+        std::int64_t const second = product_of_counts(right.count(), steps::of_right);
+        return sum{sum_of_counts(first, IsDifference ? opposite(second) : second)};
+    }
+}
+
+} // namespace detail
+
+/// Equal by value: 50_Hz is decihertz{500}.
+template <detail::any_quantity Left, detail::any_quantity Right>
+    requires(not std::same_as<Left, Right>)
+[[nodiscard]] constexpr bool operator==(Left left, Right right) noexcept
+{
+    static_assert(detail::measures_the_same<Left, Right>, "these two measure different things, and are never equal");
+    return detail::compared(left, right) == 0;
+}
+
+/// Compared by value, signed with unsigned, tenths with hundredths.
+template <detail::any_quantity Left, detail::any_quantity Right>
+    requires(not std::same_as<Left, Right>)
+[[nodiscard]] constexpr std::strong_ordering operator<=>(Left left, Right right) noexcept
+{
+    static_assert(detail::measures_the_same<Left, Right>, "these two measure different things, and do not compare");
+    return detail::compared(left, right);
+}
+
+/// The exact sum, in the finer of both steps.
+template <detail::any_quantity Left, detail::any_quantity Right>
+[[nodiscard]] constexpr auto operator+(Left left, Right right) noexcept
+{
+    static_assert(detail::measures_the_same<Left, Right>, "these two measure different things, and have no sum");
+    return detail::combined<false>(left, right);
+}
+
+/// The exact difference, in the finer of both steps; it may be below zero.
+template <detail::any_quantity Left, detail::any_quantity Right>
+[[nodiscard]] constexpr auto operator-(Left left, Right right) noexcept
+{
+    static_assert(detail::measures_the_same<Left, Right>, "these two measure different things, and have no difference");
+    return detail::combined<true>(left, right);
+}
+
+/// The opposite: -1500_rpm.
+template <detail::any_quantity Amount> [[nodiscard]] constexpr auto operator-(Amount amount) noexcept
+{
+    constexpr bool is_narrow = detail::stays_below<typename Amount::rep, 1, (std::uint64_t{1} << 31U)>;
+    using rep = detail::result_rep<is_narrow>;
+    using opposed = quantity<typename Amount::dimension, rep, typename Amount::scale>;
+    if constexpr (is_narrow) {
+        return opposed{-rep{amount.count()}};
+    } else {
+        return opposed{detail::opposite(amount.count())};
+    }
+}
+
+namespace detail {
+
+/// What has no unit neither compares with a quantity nor is added to it; taken in order to be refused in plain words.
+template <typename T>
+concept plain_number = std::is_arithmetic_v<T>;
+template <plain_number> inline constexpr bool has_unit = false;
+
+} // namespace detail
+
+template <detail::any_quantity Amount, detail::plain_number Number> constexpr bool operator==(Amount, Number) noexcept
+{
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    return false;
+}
+template <detail::any_quantity Amount, detail::plain_number Number>
+constexpr std::strong_ordering operator<=>(Amount, Number) noexcept
+{
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    return std::strong_ordering::equal;
+}
+template <detail::any_quantity Amount, detail::plain_number Number>
+constexpr Amount operator+(Amount amount, Number) noexcept
+{
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    return amount;
+}
+template <detail::any_quantity Amount, detail::plain_number Number>
+constexpr Amount operator-(Amount amount, Number) noexcept
+{
+    static_assert(detail::has_unit<Number>, "a plain number is no amount: give it a unit, as in 50_Hz");
+    return amount;
+}
+
+namespace detail {
+
+/// A plain number that may scale a quantity.
+template <typename T>
+concept plain_integer = std::integral<T> and not std::same_as<std::remove_cv_t<T>, bool>;
+
+/// A plain number as the ends of 64 bits allow.
+template <plain_integer Integer> [[nodiscard]] constexpr std::int64_t as_factor(Integer integer) noexcept
+{
+    return std::in_range<std::int64_t>(integer) ? static_cast<std::int64_t>(integer) : above_all;
+}
+
+} // namespace detail
+
+/// The multiple; of a literal, what a number known at run time amounts to: `n * 0.1_s`.
+template <detail::any_quantity Amount, detail::plain_integer Integer>
+[[nodiscard]] constexpr auto operator*(Amount amount, Integer times) noexcept
+{
+    constexpr bool is_narrow =
+        detail::largest_size<typename Amount::rep> <= 0xFFFFU and detail::largest_size<Integer> <= 0x7FFFU;
+    using rep = detail::result_rep<is_narrow>;
+    using multiple = quantity<typename Amount::dimension, rep, typename Amount::scale>;
+    if constexpr (is_narrow) {
+        return multiple{static_cast<rep>(rep{amount.count()} * rep{times})};
+    } else {
+        // Of -1 times an end for a number above 64 bits, the product would fit.
+        bool const is_beyond = not std::in_range<std::int64_t>(times) and amount.count() < 0;
+        return multiple{
+            detail::product_of_counts(is_beyond ? detail::below_all : amount.count(), detail::as_factor(times))};
+    }
+}
+template <detail::any_quantity Amount, detail::plain_integer Integer>
+[[nodiscard]] constexpr auto operator*(Integer times, Amount amount) noexcept
+{
+    return amount * times;
+}
+
+/// No fraction of an amount: integers count its steps.
+template <detail::any_quantity Amount, std::floating_point Number>
+constexpr Amount operator*(Amount amount, Number) noexcept
+{
+    static_assert(detail::has_unit<Number>, "an amount is multiplied by integers only: 3 * speed / 2");
+    return amount;
+}
+template <detail::any_quantity Amount, std::floating_point Number>
+constexpr Amount operator*(Number, Amount amount) noexcept
+{
+    static_assert(detail::has_unit<Number>, "an amount is multiplied by integers only: 3 * speed / 2");
+    return amount;
+}
+
+/// The part in the same steps, the remainder cut off; in 64 bits, which tell a division by 0.
+template <detail::any_quantity Amount, detail::plain_integer Integer>
+[[nodiscard]] constexpr auto operator/(Amount amount, Integer divisor) noexcept
+{
+    using part = quantity<typename Amount::dimension, std::int64_t, typename Amount::scale>;
+    // In 32 bits where they do: a division of 64 bits is 500 bytes of a Cortex-M0+.
+    if constexpr (detail::holds_all<typename Amount::rep, std::int32_t>(1) and
+                  detail::holds_all<Integer, std::int32_t>(1)) {
+        std::int32_t const by{divisor};
+        if (by == -1) {
+            return part{-std::int64_t{amount.count()}};
+        }
+        if (by != 0) {
+            return part{std::int64_t{std::int32_t{amount.count()} / by}};
+        }
+    }
+    bool const is_none = not std::in_range<std::int64_t>(divisor) and not detail::is_out_of_range(amount.count());
+    return part{is_none ? 0 : detail::quotient_of_counts(amount.count(), detail::as_factor(divisor))};
+}
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -9,11 +9,30 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <rtuwire/core/unshown.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
+
+namespace detail {
+
+/// What a stream becomes for the operators of values that nothing shows, so that the compiler says a sentence in place of
+/// all that a std::ostream takes; one that takes a std::ostream is better. It knows a stream by its sentry, so that no
+/// header of streams is needed.
+struct include_rtuwire_print_hpp_to_show_this {
+    template <typename Stream>
+        requires requires { typename Stream::sentry; }
+    include_rtuwire_print_hpp_to_show_this(Stream const&) = delete;
+};
+
+/// The same for a result, which rtuwire/print.hpp shows where it shows its value.
+struct include_rtuwire_print_hpp_or_show_its_value_or_its_error {
+    template <typename Stream>
+        requires requires { typename Stream::sentry; }
+    include_rtuwire_print_hpp_or_show_its_value_or_its_error(Stream const&) = delete;
+};
+
+} // namespace detail
 
 enum class errc : std::uint8_t;
 
@@ -173,7 +192,7 @@ private:
     errc error_{};
 };
 
-/// Does not compile: core/unshown.hpp says why.
+/// Does not compile.
 void operator<<(detail::include_rtuwire_print_hpp_to_show_this, errc);
 template <typename T>
 void operator<<(detail::include_rtuwire_print_hpp_or_show_its_value_or_its_error, result<T> const&);

@@ -14,7 +14,6 @@
 
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/quantity.hpp>
-#include <rtuwire/core/quantity_arithmetic.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {

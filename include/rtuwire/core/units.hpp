@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Amounts by their step, and as they are written: `decihertz`, `50_Hz`. core/quantity.hpp says what a quantity is, and
-// core/quantity_arithmetic.hpp how it compares and computes.
+// Amounts by their step, and as they are written: `decihertz`, `50_Hz`. core/quantity.hpp says what a quantity is, how
+// it compares and how it computes.
 #pragma once
 
 #include <cstdint>
 #include <ratio>
 
 #include <rtuwire/core/quantity.hpp>
-#include <rtuwire/core/quantity_arithmetic.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {

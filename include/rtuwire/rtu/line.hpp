@@ -2,17 +2,40 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // How long a character and the silences around a frame last on a line (SL 2.5.1), from its bit rate
-// and character format. Knows no frame and no clock.
+// and character format; and where an engine has its line from. Knows no frame and no clock.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
+
+namespace detail {
+
+/// A setting that is given when the object is constructed, and copied into it. Read by `get`, as `constant` is.
+template <typename T> class stored {
+public:
+    explicit constexpr stored(T const& its_value) noexcept : value_{its_value} {}
+    [[nodiscard]] constexpr T const& get() const noexcept { return value_; }
+
+private:
+    T value_;
+};
+
+/// A setting that is a constant of the program: it takes no memory and lets the compiler calculate with it.
+template <auto const& Value> struct constant {
+    [[nodiscard]] static constexpr auto const& get() noexcept { return Value; }
+};
+
+/// Whether a setting takes no memory.
+template <typename Setting> inline constexpr bool is_constant = std::is_empty_v<Setting>;
+
+} // namespace detail
 
 /// Data bits, parity and stop bits. The specification requires 11 bits, `even_8_1` by default; the ATV28 uses
 /// `none_8_1`, of 10 bits.

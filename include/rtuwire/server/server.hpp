@@ -27,11 +27,9 @@
 #include <optional>
 
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/frame_cutter.hpp>
-#include <rtuwire/rtu/frame_place.hpp>
+#include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/respond.hpp>
@@ -84,7 +82,7 @@ namespace detail {
 template <typename Diagnostics, typename Functions = register_functions, typename Units = one_unit,
           typename Observer = no_observer>
 class basic_server {
-    using cutter = detail::frame_cutter<direction::request, frame_place<0>, stored<line_timing>>;
+    using framing = framer_state<direction::request, frame_place<0>, stored<line_timing>>;
 
 public:
     /// The same with other functions: `server::with<function_list<read_coils>>`; `public_functions` are all.
@@ -438,8 +436,8 @@ private:
     server_profile const* profile_;
     [[no_unique_address]] Diagnostics diagnostics_{};
     [[no_unique_address]] Observer observer_{};
-    cutter framer_;
-    typename cutter::memory memory_;
+    framing framer_;
+    typename framing::memory memory_;
 };
 
 } // namespace detail

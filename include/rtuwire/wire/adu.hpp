@@ -12,7 +12,6 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16.hpp>
-#include <rtuwire/core/fixed_buffer.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>

@@ -25,7 +25,7 @@
 #include <cstdint>
 #include <span>
 
-#include <rtuwire/core/filled.hpp>
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 

@@ -29,7 +29,6 @@
 
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>

@@ -18,12 +18,10 @@
 #include <rtuwire/client/line/request.hpp>
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/frame_cutter.hpp>
-#include <rtuwire/rtu/frame_place.hpp>
+#include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/trace/observer.hpp>
 #include <rtuwire/trace/traced_frame.hpp>
@@ -58,7 +56,7 @@ template <auto const& Needs> class transaction {
     using Line = typename told_by<Needs>::line;
     using Functions = typename told_by<Needs>::functions;
     using place = frame_place<Needs.request_room, Needs.longest_frame>;
-    using cutter = detail::frame_cutter<direction::response, place, Line, Functions>;
+    using cutter = framer_state<direction::response, place, Line, Functions>;
 
 public:
     explicit constexpr transaction(line_timing const& its_timing, client_options const& its_options = {}) noexcept

@@ -14,7 +14,6 @@
 
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/units.hpp>
-#include <rtuwire/core/unshown.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
@@ -155,7 +154,7 @@ template <detail::any_real Amount, detail::plain_number Number> constexpr bool o
     return false;
 }
 
-/// Does not compile: core/unshown.hpp says why.
+/// Does not compile: core/result.hpp says why.
 template <detail::any_quantity Unit, std::floating_point Float>
 void operator<<(detail::include_rtuwire_print_hpp_to_show_this, real<Unit, Float>);
 

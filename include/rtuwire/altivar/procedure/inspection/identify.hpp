@@ -11,7 +11,7 @@
 
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/ask/poller.hpp>
-#include <rtuwire/core/fixed_buffer.hpp>
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/function.hpp>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The parts of a framer that a server and a client use.
-#include <rtuwire/rtu/frame_cutter.hpp>
+#include <rtuwire/rtu/framer.hpp>
 
 #include "support/proof.hpp"
 
-#include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/hex.hpp>
+#include <rtuwire/rtu/line.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::detail;
@@ -21,7 +21,7 @@ constexpr auto writes_2 = "02 06 21 35 00 00 93 CB"_hex;
 
 /// The parts, on a line that has been silent.
 template <direction Way> struct listener_of {
-    using cutter = detail::frame_cutter<Way, frame_place<0>, stored<line_timing>>;
+    using cutter = framer_state<Way, frame_place<0>, stored<line_timing>>;
     cutter framer{};
     typename cutter::memory memory{line};
     instant now{start};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The two ways to sum a frame, over each single damage.
-#include <rtuwire/rtu/frame_sum.hpp>
+#include <rtuwire/core/crc16.hpp>
 
 #include "support/catch.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Sums, differences, multiples, parts and comparisons against plain 64-bit arithmetic in millionths of the unit, which
 // knows nothing of steps.
-#include <rtuwire/core/quantity_arithmetic.hpp>
+#include <rtuwire/core/quantity.hpp>
 
 #include <array>
 #include <cstdint>

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Where a frame lies in its receiver's memory: at the start, or behind what is kept in front of it.
-#include <rtuwire/rtu/frame_place.hpp>
+#include <rtuwire/rtu/framer.hpp>
 
 #include <type_traits>
 
 #include "support/proof.hpp"
 
-#include <rtuwire/core/constant.hpp>
-#include <rtuwire/rtu/frame_cutter.hpp>
 #include <rtuwire/rtu/line.hpp>
 
 using namespace rtuwire;
@@ -40,7 +38,7 @@ concept keeps_a_front = requires(Receiver receiver)
     receiver.receive_behind(1);
 };
 template <std::size_t Front>
-using receiver_behind = detail::frame_cutter<direction::response, frame_place<Front>, stored<line_timing>>;
+using receiver_behind = framer_state<direction::response, frame_place<Front>, stored<line_timing>>;
 STATIC_CHECK(keeps_a_front<receiver_behind<1>>and keeps_a_front<receiver_behind<256>>);
 STATIC_CHECK(not keeps_a_front<receiver_behind<0>>);
 
