@@ -10,7 +10,7 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 
 namespace fuzz {
 

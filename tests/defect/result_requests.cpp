@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A request that is kept in a variable owns its words: what is sent later is what it was made of.
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/raw.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line/diagnostics.hpp>

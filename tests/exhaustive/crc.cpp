@@ -6,7 +6,7 @@
 #include <bitset>
 
 #include <rtuwire/core/crc16.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 
 #include "share.hpp"
 

@@ -13,7 +13,6 @@
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/wire/errc_name.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/raw.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>

@@ -10,7 +10,6 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/raw.hpp>
 #include <rtuwire/wire/registers.hpp>
 

@@ -7,7 +7,6 @@
 #include "support/server_on_a_line.hpp"
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>
 

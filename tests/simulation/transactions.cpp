@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <string>
 
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/registers.hpp>
 
 #include "world.hpp"

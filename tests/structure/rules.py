@@ -14,7 +14,7 @@ MAY_INCLUDE = {
     "wire": {"core"},
     "rtu": {"wire"},
     "trace": {"rtu"},
-    "table": {"core", "wire/errc.hpp", "wire/function.hpp", "wire/limits.hpp", "wire/unit_id.hpp"},
+    "table": {"core", "wire/errc.hpp", "wire/function.hpp", "wire/unit_id.hpp"},
     "ask": {"wire", "table"},
     "client": {"ask", "rtu", "trace"},
     "server": {"rtu", "table", "trace"},

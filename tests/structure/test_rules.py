@@ -31,7 +31,7 @@ class Layers(unittest.TestCase):
         self.allowed("wire__adu", "core/crc16.hpp")
         self.allowed("rtu__framer", "core/bytes.hpp")
         self.allowed("server__server", "wire/adu.hpp")
-        self.allowed("table__table", "wire/limits.hpp")
+        self.allowed("table__table", "wire/function.hpp")
         self.allowed("port__posix_serial", "rtu/line.hpp")
         self.allowed("altivar__procedure__start", "ask/access.hpp")
         self.allowed("altivar__cyclic__cyclic", "altivar/device/words.hpp")

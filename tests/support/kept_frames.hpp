@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include <rtuwire/trace.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 
 namespace rtuwire::test {
 

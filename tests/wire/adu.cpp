@@ -9,7 +9,6 @@
 #include "support/proof.hpp"
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/raw.hpp>
 #include <rtuwire/wire/registers.hpp>
 

@@ -5,7 +5,7 @@
 
 #include "support/proof.hpp"
 
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 
 using namespace rtuwire;
 using test::all_pdus;

@@ -10,7 +10,6 @@
 #include "support/random.hpp"
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/raw.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line/diagnostics.hpp>

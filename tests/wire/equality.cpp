@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Two values of a function are the same where all their parts are: a difference in one of them is one.
-#include <rtuwire/wire/exchange.hpp>
 
 #include "support/proof.hpp"
 

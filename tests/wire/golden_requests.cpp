@@ -7,7 +7,6 @@
 #include "support/proof.hpp"
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>
 #include <rtuwire/wire/serial_line/diagnostics.hpp>

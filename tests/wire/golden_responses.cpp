@@ -8,7 +8,6 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/core/literal.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/raw.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>

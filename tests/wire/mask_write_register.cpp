@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Function 22: every size; every bit by the specification's rule.
-#include <rtuwire/wire/mask_write.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 #include "support/golden.hpp"
 #include "support/pdu_facts.hpp"

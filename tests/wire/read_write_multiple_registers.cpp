@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Function 23 at every quantity and every size, both halves.
-#include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 #include <array>
 

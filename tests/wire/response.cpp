@@ -11,7 +11,6 @@
 #include "support/verdict.hpp"
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>
 #include <rtuwire/wire/serial_line/diagnostics.hpp>

@@ -10,8 +10,8 @@
 #include "support/errors.hpp"
 #include "support/proof.hpp"
 
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 using namespace rtuwire;

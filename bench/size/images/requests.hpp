@@ -7,7 +7,6 @@
 
 #include <array>
 
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/response.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>

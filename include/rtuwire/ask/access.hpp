@@ -20,7 +20,6 @@
 #include <rtuwire/table/restepped.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/wire/bits.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/registers.hpp>

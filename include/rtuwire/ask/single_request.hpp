@@ -15,7 +15,6 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

@@ -20,7 +20,7 @@
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 #include <rtuwire/wire/views.hpp>
 

@@ -22,7 +22,7 @@
 #include <rtuwire/trace/observer.hpp>
 #include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire {

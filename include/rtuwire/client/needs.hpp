@@ -19,7 +19,6 @@
 #include <rtuwire/trace/observer.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

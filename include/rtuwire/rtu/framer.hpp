@@ -35,8 +35,8 @@
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

@@ -15,7 +15,7 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/views.hpp>
 
 namespace rtuwire {

@@ -12,8 +12,8 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/views.hpp>
 
 namespace rtuwire {

@@ -19,8 +19,8 @@
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>
 #include <rtuwire/wire/serial_line/diagnostics.hpp>
 #include <rtuwire/wire/serial_line/fifo_queue.hpp>

@@ -29,7 +29,7 @@
 #include <rtuwire/server/units.hpp>
 #include <rtuwire/sim/drive/unit.hpp>
 #include <rtuwire/sim/line/line.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

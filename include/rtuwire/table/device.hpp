@@ -19,7 +19,6 @@
 #include <rtuwire/table/table.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire {

@@ -16,7 +16,6 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire {

@@ -14,7 +14,7 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

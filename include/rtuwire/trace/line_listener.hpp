@@ -27,7 +27,6 @@
 #include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

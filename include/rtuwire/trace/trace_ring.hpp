@@ -18,7 +18,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/published.hpp>
 #include <rtuwire/trace/traced_frame.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

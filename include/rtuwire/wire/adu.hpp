@@ -16,7 +16,6 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire {

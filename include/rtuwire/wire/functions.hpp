@@ -15,10 +15,7 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/bits.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/limits.hpp>
-#include <rtuwire/wire/mask_write.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line_rules.hpp>
 

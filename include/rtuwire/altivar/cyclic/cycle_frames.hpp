@@ -12,7 +12,6 @@
 #include <rtuwire/altivar/cyclic/cycle_layout.hpp>
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire {

@@ -13,7 +13,7 @@
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/request_plan.hpp>
-#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/function.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

@@ -33,8 +33,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire {

@@ -17,8 +17,6 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/limits.hpp>
-#include <rtuwire/wire/pdu_fields.hpp>
 #include <rtuwire/wire/serial_line_rules.hpp>
 #include <rtuwire/wire/views.hpp>
 
