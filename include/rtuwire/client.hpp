@@ -19,13 +19,10 @@
 #include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/enumeration.hpp>
-#include <rtuwire/table/flags.hpp>
 #include <rtuwire/table/form/ascii.hpp>
 #include <rtuwire/table/form/floating.hpp>
-#include <rtuwire/table/form/known.hpp>
 #include <rtuwire/table/form/packed.hpp>
 #include <rtuwire/table/form/real_text.hpp>
-#include <rtuwire/table/form/scaled.hpp>
 #include <rtuwire/table/form/whole.hpp>
 #include <rtuwire/table/read_plan.hpp>
 #include <rtuwire/table/register.hpp>

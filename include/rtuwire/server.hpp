@@ -17,8 +17,6 @@
 #include <rtuwire/server/units.hpp>
 #include <rtuwire/table/form/ascii.hpp>
 #include <rtuwire/table/form/floating.hpp>
-#include <rtuwire/table/form/known.hpp>
 #include <rtuwire/table/form/packed.hpp>
 #include <rtuwire/table/form/real_text.hpp>
-#include <rtuwire/table/form/scaled.hpp>
 #include <rtuwire/table/form/whole.hpp>

@@ -13,8 +13,7 @@
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/table/form/ascii.hpp>
 #include <rtuwire/table/form/floating.hpp>
-#include <rtuwire/table/form/known.hpp>
-#include <rtuwire/table/form/scaled.hpp>
+#include <rtuwire/table/form/packed.hpp>
 #include <rtuwire/table/form/whole.hpp>
 #include <rtuwire/wire/functions.hpp>
 

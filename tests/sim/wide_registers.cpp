@@ -18,8 +18,7 @@
 #include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/table/form/ascii.hpp>
 #include <rtuwire/table/form/floating.hpp>
-#include <rtuwire/table/form/known.hpp>
-#include <rtuwire/table/form/scaled.hpp>
+#include <rtuwire/table/form/packed.hpp>
 #include <rtuwire/table/form/whole.hpp>
 
 using namespace rtuwire;

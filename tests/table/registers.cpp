@@ -8,7 +8,6 @@
 #include "support/proof.hpp"
 
 #include <rtuwire/table/enumeration.hpp>
-#include <rtuwire/table/flags.hpp>
 #include <rtuwire/table/table.hpp>
 
 using namespace rtuwire;

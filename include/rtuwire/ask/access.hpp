@@ -16,9 +16,8 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/form/form_setting.hpp>
-#include <rtuwire/table/key_range.hpp>
-#include <rtuwire/table/restepped.hpp>
 #include <rtuwire/table/setting.hpp>
+#include <rtuwire/table/table.hpp>
 #include <rtuwire/wire/bits.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>

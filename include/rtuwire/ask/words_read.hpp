@@ -16,7 +16,7 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/form/form.hpp>
-#include <rtuwire/table/key_range.hpp>
+#include <rtuwire/table/table.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>

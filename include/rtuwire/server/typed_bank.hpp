@@ -20,7 +20,6 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/form/form.hpp>
-#include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/table/setting.hpp>

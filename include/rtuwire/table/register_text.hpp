@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // What registers hold, as people read it: an enumerator by its mnemonic and in words, a word of bits in hexadecimal, a
-// setting as its value. core/text.hpp does the same for amounts.
+// setting as its value. core/text.hpp shows amounts. Apart from what it shows, because firmware without a display includes
+// no text.
 #pragma once
 
 #include <cstddef>

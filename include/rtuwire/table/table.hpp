@@ -2,20 +2,124 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The registers of a device, as a type. Two registers with one address or one mnemonic do not compile,
-// and the compiler names them.
+// and the compiler names them. A key is found in a list in a few steps whatever the list's length: the compiler searches a
+// table of a hundred registers some thousand times. Questions about a whole list of template arguments are no fold
+// expressions: these nest, and Clang takes at most 256 of them.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/register.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
+
+namespace detail {
+
+/// Two places in a list; none when both are 0.
+struct index_pair {
+    std::size_t first{0};
+    std::size_t second{0};
+};
+
+/// Spreads addresses over a power of two of slots.
+[[nodiscard]] constexpr std::uint32_t hash_of(std::uint16_t address) noexcept { return address * 40'503U >> 3U; }
+
+/// The same for addresses with their space.
+[[nodiscard]] constexpr std::uint32_t hash_of(std::uint32_t key) noexcept { return key * 40'503U >> 3U; }
+
+/// Spreads mnemonics over a power of two of slots.
+[[nodiscard]] constexpr std::uint32_t hash_of(literal code) noexcept
+{
+    std::uint32_t hash = 0;
+    for (char const letter : code) {
+        hash = hash * 31U + static_cast<unsigned char>(letter);
+    }
+    return hash;
+}
+
+/// The places of the keys of a list, for `find`; and the first key that occurs twice. Whoever searches it for many keys
+/// searches a copy of its own: for each read of a constant of a class that lists a thousand registers, GCC looks through
+/// the list.
+template <typename Key, std::size_t Size> class key_index {
+public:
+    explicit constexpr key_index(std::array<Key, Size> const& keys) noexcept : keys_{keys}
+    {
+        for (std::size_t i = 0; i < Size; ++i) {
+            std::size_t const slot = slot_of(keys_[i]);
+            if (places_[slot] != 0 and duplicate_.second == 0) {
+                duplicate_ = {places_[slot] - 1U, i};
+            }
+            places_[slot] = static_cast<std::uint16_t>(i + 1);
+        }
+    }
+
+    /// The place of a key; `Size` where it is not in the list.
+    [[nodiscard]] constexpr std::size_t find(Key const& key) const noexcept
+    {
+        std::size_t const place = places_[slot_of(key)];
+        return place == 0 ? Size : place - 1;
+    }
+
+    /// The first two equal keys.
+    [[nodiscard]] constexpr index_pair duplicate() const noexcept { return duplicate_; }
+
+private:
+    static constexpr std::size_t slot_count = std::bit_ceil(2 * Size + 1);
+
+    /// The slot that holds the key, or the empty one where it would be.
+    [[nodiscard]] constexpr std::size_t slot_of(Key const& key) const noexcept
+    {
+        std::size_t slot = hash_of(key) % slot_count;
+        while (places_[slot] != 0 and not(keys_[places_[slot] - 1U] == key)) {
+            slot = (slot + 1) % slot_count;
+        }
+        return slot;
+    }
+
+    std::array<Key, Size> keys_;
+    std::array<std::uint16_t, slot_count> places_{}; ///< one more than the place; 0 where empty
+    index_pair duplicate_{};
+};
+
+/// The first two equal elements of a list.
+template <typename Key, std::size_t Size>
+[[nodiscard]] constexpr index_pair first_duplicate(std::array<Key, Size> const& list) noexcept
+{
+    return key_index{list}.duplicate();
+}
+
+} // namespace detail
+
+/// Facts, as a type.
+template <bool... Facts> struct fact_list;
+
+namespace detail {
+
+/// Whether all of them hold; true of none. A list whose facts are all true is the same, moved by one.
+template <bool... Facts>
+inline constexpr bool are_all = std::is_same_v<fact_list<true, Facts...>, fact_list<Facts..., true>>;
+
+/// Whether one of them holds.
+template <bool... Facts> inline constexpr bool is_any = not are_all<not Facts...>;
+
+/// Their sum; 0 of none.
+template <std::size_t... Numbers> [[nodiscard]] consteval std::size_t sum_of() noexcept
+{
+    std::size_t sum = 0;
+    for (std::size_t const each : std::array<std::size_t, sizeof...(Numbers)>{Numbers...}) {
+        sum += each;
+    }
+    return sum;
+}
+
+} // namespace detail
 
 /// Never defined for two registers: their names are the message, their arguments the registers in conflict.
 template <auto const& A, auto const& B> struct these_registers_overlap;
@@ -184,6 +288,33 @@ private:
     static_assert(sizeof(these_registers_have_one_code<detail::register_at<namesake.first, Registers...>(),
                                                        detail::register_at<namesake.second, Registers...>()>) > 0);
 };
+
+namespace detail {
+
+/// The first and the last of the words that one request has to read, in one space.
+struct key_range {
+    std::uint32_t first;
+    std::uint32_t last;
+
+    [[nodiscard]] constexpr key_range with(key_range other) const noexcept
+    {
+        return {other.first < first ? other.first : first, other.last > last ? other.last : last};
+    }
+    [[nodiscard]] constexpr bool is_of_one_space() const noexcept { return first >> 16U == last >> 16U; }
+};
+
+/// Of one register, its scale included.
+template <auto const& R> [[nodiscard]] constexpr key_range range_of() noexcept
+{
+    std::uint32_t const first = key_of(R.space, R.address);
+    key_range range{first, first + R.word_count - 1U};
+    if constexpr (has_scale_register<R>) {
+        range = range.with(range_of<std::remove_cvref_t<decltype(R)>::form::scale_register>());
+    }
+    return range;
+}
+
+} // namespace detail
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

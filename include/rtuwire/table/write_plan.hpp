@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Any settings of a device, written with the fewest requests that it allows: neighbours go into one request,
-// and only registers that were named are written. A register of several words is written by one request.
+// and only registers that were named are written. A register of several words is written by one request. Apart from
+// table/read_plan.hpp, because most programs only read, and the settings of wide registers belong to writing.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/form/form_setting.hpp>
-#include <rtuwire/table/plan_words.hpp>
+#include <rtuwire/table/read_plan.hpp>
 #include <rtuwire/table/setting.hpp>
 
 namespace rtuwire {

@@ -10,9 +10,8 @@
 #include "support/proof.hpp"
 
 #include <rtuwire/table/form/ascii.hpp>
-#include <rtuwire/table/form/known.hpp>
 #include <rtuwire/table/form/packed.hpp>
-#include <rtuwire/table/form/scaled.hpp>
+#include <rtuwire/table/form/whole.hpp>
 #include <rtuwire/table/register_text.hpp>
 
 using namespace rtuwire;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Amounts in floating point: how they compare with quantities, become quantities, and read. The digits are those of
 // printf, which knows nothing of them.
-#include <rtuwire/table/form/real.hpp>
+#include <rtuwire/table/form/floating.hpp>
 
 #include <bit>
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/table/flags.hpp>
+#include <rtuwire/table/enumeration.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

@@ -10,7 +10,6 @@
 #include <rtuwire/altivar/parameters/parameter.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
-#include <rtuwire/table/flags.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

@@ -19,8 +19,8 @@
 #include <rtuwire/sim/drive/register_rules.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/enumeration.hpp>
-#include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/register.hpp>
+#include <rtuwire/table/table.hpp>
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire {

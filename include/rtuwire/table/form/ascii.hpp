@@ -13,7 +13,7 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/table/form/word_order.hpp>
+#include <rtuwire/table/form/form.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A value that is proven to fit its register, of a form of several words or of a coil. table/setting.hpp has the same
-// for one word, and the sentences.
+// A value that is proven to fit its register, of a form of several words or of a coil. table/setting.hpp has that for one
+// word, and the sentences; most drives have no other, and a program of theirs does not read this.
 #pragma once
 
 #include <array>

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Floating point numbers as people read them: "12.5 kWh", right to the last digit shown. They are taken apart bit by
-// bit, in place: no heap, no floating point arithmetic, no printf.
+// bit, in place: no heap, no floating point arithmetic, no printf. Apart from the numbers, because it is longer than they
+// are, and firmware that shows none does not read it.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/table/form/real.hpp>
+#include <rtuwire/table/form/floating.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

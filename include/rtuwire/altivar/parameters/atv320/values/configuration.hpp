@@ -8,7 +8,6 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
-#include <rtuwire/table/flags.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

@@ -9,7 +9,6 @@
 #include <rtuwire/altivar/device/atv320_values.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
-#include <rtuwire/table/flags.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The index that finds a register by its address or its mnemonic, against going through the list.
-#include <rtuwire/table/key_index.hpp>
 
 #include <algorithm>
 #include <array>
