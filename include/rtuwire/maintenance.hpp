@@ -10,6 +10,5 @@
 #include <rtuwire/altivar/device/drive_type.hpp>
 
 #include <rtuwire/altivar/maintenance/backup.hpp>
-#include <rtuwire/altivar/maintenance/compare.hpp>
 #include <rtuwire/altivar/maintenance/restore.hpp>
 #include <rtuwire/wire/errc_name.hpp>

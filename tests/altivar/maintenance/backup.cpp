@@ -9,8 +9,6 @@
 #include "altivar/maintenance/maintenance_bench.hpp"
 #include "support/catch.hpp"
 
-#include <rtuwire/altivar/maintenance/compare.hpp>
-
 using namespace rtuwire;
 using namespace rtuwire::detail;
 using namespace rtuwire::altivar;

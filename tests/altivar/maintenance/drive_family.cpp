@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Which texts name the same family of drives.
-#include <rtuwire/altivar/maintenance/drive_family.hpp>
+#include <rtuwire/altivar/maintenance/restore_options.hpp>
 
 #include <string>
 

@@ -2,19 +2,60 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Which block of a parameter map is read next: the largest without a hole, or, where the drive refused one, halves of
-// it, until the register that it refuses stands alone.
+// it, until the register that it refuses stands alone. Each look goes through the map, so that nothing is kept of it.
 // Internal: may change with any version.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/altivar/maintenance/map_blocks.hpp>
+#include <rtuwire/altivar/parameters/parameter_map.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/function.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
+
+/// A row and the group that it is in; null where there is none.
+struct placed_row {
+    parameter_group const* group{nullptr};
+    parameter const* row{nullptr};
+};
+
+/// The row at an address.
+[[nodiscard]] constexpr placed_row row_at(parameter_map const& map, std::uint16_t address) noexcept
+{
+    for (parameter_group const& group : map.groups()) {
+        for (parameter const& each : group.rows) {
+            if (each.address == address) {
+                return {&group, &each};
+            }
+        }
+    }
+    return {};
+}
+
+/// One above the highest address: no row from there on.
+inline constexpr std::uint32_t no_address = 0x1'0000;
+
+/// The lowest address, from one on, of a row that passes `filter`; `no_address` where there is none. The filter is asked
+/// only of rows that could be it.
+template <typename Filter>
+[[nodiscard]] constexpr std::uint32_t lowest_address(parameter_map const& map, std::uint32_t from,
+                                                     Filter const& filter) noexcept
+{
+    std::uint32_t lowest = no_address;
+    map.for_each([&](parameter const& each, parameter_group const&) {
+        if (each.address >= from and each.address < lowest and filter(each)) {
+            lowest = each.address;
+        }
+    });
+    return lowest;
+}
 
 /// A walk over the rows that pass a filter, from the lowest address to the highest. `find` a block, ask the drive for
 /// it, then `pass` or `refuse` it.
@@ -36,7 +77,7 @@ public:
     {
         std::uint32_t const suspects = suspect_end_ > at_ ? suspect_end_ - at_ : 0;
         std::uint16_t const most = suspects > 1 ? static_cast<std::uint16_t>((suspects + 1) / 2) : limit_;
-        block_ = block_from(map, at_, suspects == 1 ? std::uint16_t{1} : most, filter);
+        block_ = block_of(map, lowest_address(map, at_, filter), suspects == 1 ? std::uint16_t{1} : most, filter);
         return block_.count != 0;
     }
 
@@ -61,6 +102,28 @@ public:
     }
 
 private:
+    /// The block that begins at an address, without a hole, of at most `limit` registers; empty where that is none.
+    template <typename Filter>
+    static constexpr detail::address_block block_of(parameter_map const& map, std::uint32_t start, std::uint16_t limit,
+                                                    Filter const& filter) noexcept
+    {
+        if (start == no_address) {
+            return {};
+        }
+        std::array<bool, max_read_quantity> is_there{};
+        std::size_t const most = limit < is_there.size() ? limit : is_there.size();
+        map.for_each([&](parameter const& each, parameter_group const&) {
+            if (each.address >= start and each.address - start < most and not is_there[each.address - start]) {
+                is_there[each.address - start] = filter(each);
+            }
+        });
+        std::uint16_t count = 1;
+        while (count < most and is_there[count]) {
+            ++count;
+        }
+        return {static_cast<std::uint16_t>(start), count};
+    }
+
     std::uint32_t at_{0};
     std::uint32_t suspect_end_{0};
     detail::address_block block_{};

@@ -17,10 +17,10 @@
 #include <optional>
 
 #include <rtuwire/altivar/device/drive_type.hpp>
+#include <rtuwire/altivar/maintenance/guarded_write.hpp>
+#include <rtuwire/altivar/maintenance/restore_plan.hpp>
 #include <rtuwire/altivar/maintenance/restoring/restore_calls.hpp>
 #include <rtuwire/altivar/maintenance/restoring/restore_checks.hpp>
-#include <rtuwire/altivar/maintenance/restoring/restore_plan.hpp>
-#include <rtuwire/altivar/maintenance/restoring/row_write.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 

@@ -14,7 +14,7 @@
 #include <rtuwire/altivar/atv12_parameters.hpp>
 #include <rtuwire/altivar/atv310_parameters.hpp>
 #include <rtuwire/altivar/atv320_parameters.hpp>
-#include <rtuwire/altivar/maintenance/restoring/restore_agenda.hpp>
+#include <rtuwire/altivar/maintenance/restore_agenda.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -17,7 +17,6 @@
 #include <rtuwire/altivar/atv310_parameters.hpp>
 #include <rtuwire/altivar/atv320_parameters.hpp>
 #include <rtuwire/altivar/maintenance/backup.hpp>
-#include <rtuwire/altivar/maintenance/compare.hpp>
 #include <rtuwire/altivar/maintenance/restore.hpp>
 #include <rtuwire/sim/bench.hpp>
 

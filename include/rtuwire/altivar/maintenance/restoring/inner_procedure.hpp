@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include <rtuwire/altivar/maintenance/restoring/write_guard.hpp>
+#include <rtuwire/altivar/maintenance/guarded_write.hpp>
 #include <rtuwire/altivar/procedure/commissioning/last_look.hpp>
 #include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
 #include <rtuwire/core/version.hpp>

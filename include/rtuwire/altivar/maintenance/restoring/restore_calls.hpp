@@ -6,7 +6,7 @@
 // Internal: may change with any version.
 #pragma once
 
-#include <rtuwire/altivar/maintenance/restoring/identity_check.hpp>
+#include <rtuwire/altivar/maintenance/guarded_write.hpp>
 #include <rtuwire/altivar/maintenance/restoring/restore_checks.hpp>
 #include <rtuwire/core/version.hpp>
 

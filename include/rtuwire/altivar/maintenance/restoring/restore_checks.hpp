@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/maintenance/block_walk.hpp>
-#include <rtuwire/altivar/maintenance/restoring/identity_check.hpp>
+#include <rtuwire/altivar/maintenance/guarded_write.hpp>
 #include <rtuwire/altivar/maintenance/restoring/restore_procedures.hpp>
 #include <rtuwire/core/version.hpp>
 

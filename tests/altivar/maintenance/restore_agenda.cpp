@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The order of the writes: no order of limits is ever broken, and every parameter that is restored has a step.
-#include <rtuwire/altivar/maintenance/restoring/restore_agenda.hpp>
+#include <rtuwire/altivar/maintenance/restore_agenda.hpp>
 
 #include <array>
 
@@ -74,21 +74,6 @@ constexpr bool each_has_its_step(parameter_map const& map)
     return has;
 }
 
-/// What a write may do to a motor that the terminals command, by the words of the roles.
-constexpr bool care_is_taken()
-{
-    using role = parameter_role;
-    for (role const each :
-         {role::setting, role::step_size, role::frequency_limit, role::motion, role::link_timeout, role::link}) {
-        if (care_for(each) != write_care::rest) {
-            return false;
-        }
-    }
-    return care_for(role::supervision) == write_care::open_inputs and
-           care_for(role::restart) == write_care::open_inputs and care_for(role::channel) == write_care::open_inputs and
-           care_for(role::macro) == write_care::all_inputs and care_for(role::run_input) == write_care::all_inputs;
-}
-
 /// A section ends at a step that says where it begins, which is not behind it; none overlaps another.
 constexpr bool sections_are_apart()
 {
@@ -108,7 +93,6 @@ constexpr bool sections_are_apart()
 } // namespace
 
 PROOF("limits are never out of order between two writes", all_orders_are_kept)
-PROOF("inputs are looked at before what may start a motor", care_is_taken)
 PROOF("sections of the agenda do not overlap", sections_are_apart)
 
 TEST_CASE("each parameter that may be restored has its step") { CHECK(each_has_its_step(small_map)); }

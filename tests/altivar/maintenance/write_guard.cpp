@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The table of the check before a write: each stage and each answer.
-#include <rtuwire/altivar/maintenance/restoring/write_guard.hpp>
+#include <rtuwire/altivar/maintenance/guarded_write.hpp>
 
 #include <vector>
 
 #include "altivar/procedure/status_words.hpp"
 #include "support/catch.hpp"
+#include "support/proof.hpp"
 
 #include <rtuwire/altivar/device/atv320.hpp>
 
@@ -38,7 +39,24 @@ kind after(write_care care, std::vector<event> const& answers)
     return one.reason().kind;
 }
 
+/// What a write may do to a motor that the terminals command, by the words of the roles.
+constexpr bool care_is_taken()
+{
+    using role = parameter_role;
+    for (role const each :
+         {role::setting, role::step_size, role::frequency_limit, role::motion, role::link_timeout, role::link}) {
+        if (care_for(each) != write_care::rest) {
+            return false;
+        }
+    }
+    return care_for(role::supervision) == write_care::open_inputs and
+           care_for(role::restart) == write_care::open_inputs and care_for(role::channel) == write_care::open_inputs and
+           care_for(role::macro) == write_care::all_inputs and care_for(role::run_input) == write_care::all_inputs;
+}
+
 } // namespace
+
+PROOF("inputs are looked at before what may start a motor", care_is_taken)
 
 TEST_CASE("the states that a drive may be written in")
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What is told of a write: never more than the drive showed. Its table, row by row.
-#include <rtuwire/altivar/maintenance/restoring/row_write.hpp>
+#include <rtuwire/altivar/maintenance/guarded_write.hpp>
 
 #include "support/catch.hpp"
 #include "support/proof.hpp"
