@@ -22,7 +22,7 @@ RUNNER = "altivar/procedure/procedure_runner.hpp"
 DIRECT = "altivar/procedure/motion/direct_control.hpp"
 START = "altivar/procedure/motion/start.hpp"
 STOP = "altivar/procedure/motion/stop.hpp"
-ORDERS, BLOCKING, BUS = "client/orders.hpp", "client/blocking.hpp", "client/bus.hpp"
+ORDERS, UNIT_ORDER, BLOCKING, BUS = "client/orders.hpp", "ask/unit_order.hpp", "client/blocking.hpp", "client/bus.hpp"
 
 MOVED = {"a motor got power without an order", "a word that enables left"}
 POWER = {"power too long"}
@@ -85,19 +85,17 @@ DEFECTS = [
         ("altivar/cyclic/cyclic.hpp", "if (is_heard_ and not is_asking_ and since_heard_ > drive_timeout()) {",
          "if (is_heard_ and is_asking_ and since_heard_ > drive_timeout()) {"),
         ("client/orders.hpp", """            own.last_fault = ++count_;
-            leave(own, now);
+            own.leave(now);
 """, ""),
     ], {*MOVED, *POWER}, 2),
     Defect("A a stop that is given up before its end holds on", [
-        (ORDERS, "if (is_held and (is_over or", "if (false and is_held and (is_over or")], LEFT),
+        (UNIT_ORDER, "if (is_held and (is_over or", "if (false and is_held and (is_over or")], LEFT),
     Defect("B a stop that is given up and released at once leaves its motor to reads", [
-        (ORDERS, """        own.was_lost = false;
-        leave(own, own.on_line);
-""", "        own.was_lost = false;\n"),
-        (ORDERS, """            holder_of_all_ = 0;
+        (UNIT_ORDER, "        withdraw(++count);\n        leave(on_line);\n", "        withdraw(++count);\n"),
+        (ORDERS, """            all_.let_go();
             note_none_counts();
             leave_all();
-""", "            holder_of_all_ = 0;\n            note_none_counts();\n"),
+""", "            all_.let_go();\n            note_none_counts();\n"),
     ], LEFT, 3),
     Defect("B broadcast_freewheel that is not heard leaves a motor to reads", [
         (ORDERS, """            each.silence_end = asked_ + each.silence;
@@ -107,7 +105,7 @@ DEFECTS = [
         }
 """)], LEFT, 3),
     Defect("the loss of a motor that is left is put off", [
-        (ORDERS, "if (own.answers_left == 0) { // else it was left before", "{")], LEFT, 3),
+        (UNIT_ORDER, "if (answers_left == 0) { // else it was left before", "{")], LEFT, 3),
     Defect("broadcast_freewheel waits while a unit is lost", [
         ("client/client.hpp", """return detail::frees_all_units<Conversation> and not conversation.settled() ? detail::effect::stopping
                                                                                     : detail::effect::none;""",

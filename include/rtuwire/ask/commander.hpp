@@ -10,6 +10,7 @@
 
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/ask/unit_order.hpp>
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -29,14 +30,6 @@ enum class effect : std::uint8_t {
     stopping,    ///< the motor loses its power or slows down; a write of function 06, which no other response echoes
 };
 
-/// What a status showed of a motor's power.
-enum class power_seen : std::uint8_t {
-    nothing, ///< no status was read, or it does not tell
-    off,     ///< none, until an order to run
-    waits,   ///< none, and one control word gives it: also where the drive follows such a word later
-    on,
-};
-
 /// The register that says what a unit's control word means, CHCF of most Altivars: 1 and 2 are the drive profile, in any
 /// other one the word of a stop may run the motor.
 inline constexpr std::uint16_t meaning_register = 8401;
@@ -44,9 +37,23 @@ inline constexpr std::uint16_t meaning_register = 8401;
 /// In the place of a control word's address: `meaning_register` was read, and no word is known to stop the unit but 0000.
 inline constexpr std::uint16_t other_meaning = 0xFFFF;
 
-/// A drive that is silent for no longer was not switched off and on again meanwhile: assumed, no manual gives the time that
-/// its control needs until it answers. What was read of a unit counts only as long as it has answered so.
-inline constexpr duration longest_gap_in_presence = milliseconds(500);
+/// Whether a request writes `meaning_register`, among others or alone. The functions that write holding registers
+/// have their first address in front; 23 has it behind what it reads.
+[[nodiscard]] constexpr bool writes_meaning(byte_view frame) noexcept
+{
+    constexpr std::uint8_t one = 0x06, several = 0x10, exchange = 0x17;
+    constexpr std::size_t shortest = 8;
+    std::uint8_t const function = frame.size() < shortest ? std::uint8_t{0} : to_u8(frame[1]);
+    if (function == one) {
+        return u16_at(frame, 2) == meaning_register;
+    }
+    bool const is_exchange = function == exchange and frame.size() > shortest + 4;
+    if (function != several and not is_exchange) {
+        return false;
+    }
+    std::size_t const at = is_exchange ? 6 : 2;
+    return static_cast<std::uint16_t>(meaning_register - u16_at(frame, at)) < u16_at(frame, at + 2);
+}
 
 /// The base of every conversation that can command the motor of a unit. It notes what its user wants and what it read;
 /// the client takes that over when the conversation visits (`converse` is called for it).
@@ -171,7 +178,7 @@ protected:
     /// have been made anew in its place, and does not count it then. True before the first visit.
     [[nodiscard]] constexpr bool is_order_in_force() const noexcept
     {
-        return known_ == nullptr or (end_of_order() == errc::none and not is_replaced());
+        return known_ == nullptr or (end_of_order() == errc::none and not known_->is_replaced(stamp_));
     }
 
     /// What has ended its order to move the motor, apart from another order: `overruled`, a stop; `unit_lost`, a loss, a silence
@@ -198,7 +205,8 @@ protected:
             return false;
         }
         std::uint32_t const order = known_->last_order;
-        return is_replaced() and not is_older(order, known_->last_stop) and not is_older(order, known_->last_fault);
+        return known_->is_replaced(stamp_) and not is_older(order, known_->last_stop) and
+               not is_older(order, known_->last_fault);
     }
 
     /// Whether a conversation of this client ordered its unit to run (where it stops all: any unit), and none has read since
@@ -211,12 +219,6 @@ protected:
     constexpr void heed_stop() noexcept { was_stopped_ = false; }
 
 private:
-    /// Whether another order to run came later than its own.
-    constexpr bool is_replaced() const noexcept
-    {
-        return known_->last_order != 0 and is_older(stamp_, known_->last_order);
-    }
-
     template <std::size_t> friend class orders;
 
     // Small processors reach bytes with short instructions only where they are near.

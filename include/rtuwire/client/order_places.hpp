@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Where a client keeps what it knows of the units whose motors it commands: see ask/unit_order.hpp.
+// Where a client keeps what it knows of the units whose motors it commands (ask/unit_order.hpp), and of a stop of all of them.
+// Apart from client/orders.hpp, which says what follows from it.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 
 #include <rtuwire/ask/unit_order.hpp>
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
@@ -54,6 +56,11 @@ public:
         unit_order const* const own = find(unit);
         return own == nullptr ? others_ : *own;
     }
+    [[nodiscard]] constexpr unit_order& entry_of(std::uint8_t unit) noexcept
+    {
+        unit_order* const own = find(unit);
+        return own == nullptr ? others_ : *own;
+    }
     [[nodiscard]] constexpr unit_order& others() noexcept { return others_; }
 
     /// Whether the unit neither has a place nor can get one.
@@ -78,6 +85,13 @@ public:
         places_[at].unit = unit;
         places_[at].held = others_.held == hold::by_its_stop ? hold::by_another_stop : others_.held;
         return &places_[at];
+    }
+
+    /// The same, or the entry of all units without a place.
+    [[nodiscard]] constexpr unit_order& make_entry(std::uint8_t unit) noexcept
+    {
+        unit_order* const own = make(unit);
+        return own == nullptr ? others_ : *own;
     }
 
     /// Those that were ever in use.
@@ -128,6 +142,54 @@ private:
     std::array<unit_order, Units> places_{filled<Units>(nothing_known)};
     unit_order others_{nothing_known};
     [[no_unique_address]] used_places<Units> used_{};
+};
+
+/// The stop of all units that is under way: it holds all that no stop of their own holds.
+class stop_of_all {
+public:
+    /// Its stamp; 0: there is none.
+    [[nodiscard]] constexpr std::uint32_t stamp() const noexcept { return stamp_; }
+
+    constexpr void begin(std::uint32_t stamp) noexcept
+    {
+        stamp_ = stamp;
+        is_over_ = false; // if another one has just ended
+    }
+
+    /// It visits, or another one does. One of which the hold was released, or that outlives another one, takes it.
+    constexpr void keep(std::uint32_t stamp, instant now) noexcept
+    {
+        if (stamp_ == 0 or is_over_) {
+            begin(stamp);
+        }
+        is_shared_ = is_shared_ or stamp != stamp_;
+        seen_ = step_of(now);
+        passes_left_ = most_passes_missed;
+    }
+
+    /// It has ended. Its hold lasts until `let_go_if_over`.
+    constexpr void end() noexcept { is_over_ = true; }
+    constexpr void let_go_if_over() noexcept
+    {
+        if (is_over_ and not is_shared_) { // else the other one holds from its next visit on
+            stamp_ = 0;
+        }
+        is_shared_ = false;
+    }
+    constexpr void let_go() noexcept { stamp_ = 0; }
+
+    /// A pass, in which it may not have visited. True once: when it counts as given up.
+    [[nodiscard]] constexpr bool has_missed(instant now) noexcept
+    {
+        return stamp_ != 0 and detail::has_missed(passes_left_, seen_, now);
+    }
+
+private:
+    std::uint32_t stamp_{0};
+    bool is_over_{false};
+    bool is_shared_{false};       ///< another stop of all units visited since the last `let_go_if_over`
+    std::uint8_t passes_left_{0}; ///< that it may miss
+    std::uint16_t seen_{0};       ///< when it visited last
 };
 
 } // namespace detail
