@@ -5,18 +5,13 @@
 #pragma once
 
 #include <rtuwire/core/literal.hpp>
-#include <rtuwire/port/bit_rate.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/port/driver_call.hpp>
-#include <rtuwire/port/error_marks.hpp>
 #include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/host_lookup.hpp>
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
 #include <rtuwire/port/serial_settings.hpp>
-#include <rtuwire/port/standard_places.hpp>
-#include <rtuwire/port/tcp_connection.hpp>
 #include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/port/transceiver.hpp>
 #include <rtuwire/wire/unit_id.hpp>

@@ -13,7 +13,6 @@
 
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/port/error_marks.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
 #include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/blocking.hpp>

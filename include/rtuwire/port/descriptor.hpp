@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // A POSIX file descriptor of a serial line: owned, read and written with deadlines. Turns every failure into
-// an errc, and reports a vanished device at once and at each further call.
+// an errc, and reports a vanished device at once and at each further call. Keeps such a line off the numbers 0, 1 and 2: a
+// program may be started with these closed; the line would get one of them, and what the program prints would go to the
+// drives. What asks an open device's driver takes any callable of the form of `driver_call`, so that tests have drivers.
 #pragma once
 
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
 #include <utility>
 
+#include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <rtuwire/core/bytes.hpp>
@@ -192,6 +197,38 @@ private:
     }
 
     int number_{-1};
+};
+
+/// Gets or sets what the driver of an open device has; errno says why where it does not.
+struct driver_call {
+    int device;
+    template <typename Settings> bool operator()(unsigned long request, Settings& settings) const noexcept
+    {
+        return ::ioctl(device, request, &settings) == 0;
+    }
+};
+
+/// While it lives, every file opened gets a number above those of standard input, output and error output,
+/// even where these are closed: /dev/null fills them meanwhile. On a system without /dev/null, check with
+/// `is_above`.
+class standard_places {
+public:
+    standard_places() noexcept
+    {
+        for (descriptor& each : held_) {
+            descriptor lowest{::open("/dev/null", O_RDWR | O_CLOEXEC)};
+            if (is_above(lowest.number())) {
+                return;
+            }
+            each = std::move(lowest);
+        }
+    }
+
+    /// Whether a number is above the standard ones; false where nothing is open.
+    [[nodiscard]] static constexpr bool is_above(int number) noexcept { return number > STDERR_FILENO; }
+
+private:
+    std::array<descriptor, 3> held_{};
 };
 
 } // namespace detail

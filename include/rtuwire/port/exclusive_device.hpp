@@ -14,9 +14,8 @@
 #include <termios.h>
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/port/bit_rate.hpp>
 #include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/port/driver_call.hpp>
+#include <rtuwire/port/serial_settings.hpp>
 #include <rtuwire/port/transceiver.hpp>
 
 namespace rtuwire {

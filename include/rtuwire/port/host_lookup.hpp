@@ -24,7 +24,6 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/port/standard_places.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

@@ -2,33 +2,152 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // A serial device of a POSIX host: opened exclusively, set up for Modbus, read and written with deadlines.
-// Reports which bytes arrived damaged. Every failure is an errc for programs and a sentence with the
-// device's name for people.
+// Reports which bytes arrived damaged, as the terminal marks them (termios, PARMRK): FF 00 x is a byte x with a parity or
+// framing error, FF 00 00 also a break, and FF FF is an undamaged byte FF. May let `read` itself wait for bytes by the
+// terminal's own timer (VMIN 0, VTIME): one system call where a poll and a read are two. Every failure is an errc for programs and a
+// sentence with the device's name for people.
 #pragma once
 
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <termios.h>
+#include <unistd.h>
 
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/port/error_marks.hpp>
 #include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/serial_settings.hpp>
-#include <rtuwire/port/standard_places.hpp>
-#include <rtuwire/port/timed_reader.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
+
+namespace detail {
+
+/// Removes the marks from a stream of bytes, in chunks of any size.
+class error_marks {
+public:
+    /// What one call did.
+    struct part {
+        std::size_t taken{0};  ///< so many marked bytes are used up
+        std::size_t size{0};   ///< so many bytes were written
+        bool has_error{false}; ///< a damaged byte came after them
+    };
+
+    /// Writes the bytes without their marks to `place`, until `place` is full or a byte was damaged. The
+    /// damaged byte itself is left out. What was not taken belongs to the next call.
+    constexpr part take(byte_view marked, byte_span place) noexcept
+    {
+        part done{};
+        while (done.taken < marked.size() and done.size < place.size() and not done.has_error) {
+            std::byte const byte = marked[done.taken];
+            bool const is_first = byte == std::byte{0xFF};
+            if (state_ == state::begun and not is_first and byte != std::byte{0}) {
+                // An FF that marks nothing: bytes are missing here. This byte is examined again.
+                state_ = state::outside;
+                done.has_error = true;
+                continue;
+            }
+            ++done.taken;
+            if (state_ == state::damaged) {
+                state_ = state::outside;
+                done.has_error = true;
+            } else if (state_ == state::outside and is_first) {
+                state_ = state::begun;
+            } else if (state_ == state::begun and not is_first) {
+                state_ = state::damaged;
+            } else {
+                state_ = state::outside;
+                place[done.size++] = byte;
+            }
+        }
+        return done;
+    }
+
+    /// Forgets an incomplete mark.
+    constexpr void restart() noexcept { state_ = state::outside; }
+
+private:
+    enum class state : std::uint8_t {
+        outside,
+        begun,   ///< after FF
+        damaged, ///< after FF 00
+    };
+
+    state state_{state::outside};
+};
+
+/// A second descriptor of an open serial device, in blocking mode: the first one stays as it is, so that a write still
+/// ends at its deadline. Can be moved. A closed one never waits.
+class timed_reader {
+public:
+    /// Opens the device once more: before it is locked, which keeps out everyone. Errors: those of `device_error`;
+    /// `device_vanished` where the name is another device's by now.
+    [[nodiscard]] result<void> open(std::string const& device, int opened)
+    {
+        descriptor line{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)};
+        if (not line.is_open()) {
+            return device_error(errno);
+        }
+        if (not standard_places::is_above(line.number())) {
+            return errc::device_failed;
+        }
+        if (not are_same_device(line.number(), opened)) {
+            return errc::device_vanished;
+        }
+        // Only now: without the flag, `open` itself may wait for a modem.
+        if (::fcntl(line.number(), F_SETFL, 0) != 0) {
+            return device_error(errno);
+        }
+        line_ = std::move(line);
+        return {};
+    }
+
+    void close() noexcept { line_.close(); }
+
+    /// Waits for bytes for one period of the timer, where that much time is left. Nothing: whoever wants to wait on has to
+    /// poll, which also tells whether the device is still there. Errors: `device_vanished`, `device_failed`.
+    result<byte_span> read(byte_span place, host_deadline const& until) const noexcept
+    {
+        if (not line_.is_open() or until.left() < least_wait) {
+            return place.first(0);
+        }
+        ssize_t const count = ::read(line_.number(), place.data(), place.size());
+        if (count >= 0) {
+            return place.first(static_cast<std::size_t>(count));
+        }
+        if (errno == EINTR or errno == EAGAIN) {
+            return place.first(0);
+        }
+        return device_error(errno);
+    }
+
+private:
+    /// A period of the timer and what the kernel may add: it counts in ticks of up to 10 ms, and rounds up.
+    static constexpr duration least_wait = terminal_timer + milliseconds(20);
+
+    static bool are_same_device(int one, int other) noexcept
+    {
+        struct stat first {};
+        struct stat second {};
+        return ::fstat(one, &first) == 0 and ::fstat(other, &second) == 0 and first.st_rdev == second.st_rdev;
+    }
+
+    descriptor line_{};
+};
+
+} // namespace detail
 
 /// A serial device. Can be moved; its destructor closes it and leaves the device as it was set up, but for the switching of a
 /// transceiver, which is put back.

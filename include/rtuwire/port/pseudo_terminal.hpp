@@ -21,7 +21,6 @@
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/serial_settings.hpp>
-#include <rtuwire/port/standard_places.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
