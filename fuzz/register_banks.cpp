@@ -34,8 +34,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     bank<atv12::eta, atv12::acc, atv12::dec, atv12::cmd, atv12::lfrd> typed;
     word_bank<64> words{3200};
     instant now{0};
-    sim::drive<atv320::device> new_drive{now};
-    sim::drive<atv28::device> old_drive{now};
+    detail::simulated_drive<atv320::device> new_drive{now};
+    detail::simulated_drive<atv28::device> old_drive{now};
     fuzz::input in{data, size};
     while (not in.is_empty()) {
         std::uint8_t const what = in.u8();

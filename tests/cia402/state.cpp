@@ -7,6 +7,7 @@
 
 using namespace rtuwire;
 using namespace rtuwire::cia402;
+using namespace rtuwire::detail;
 
 namespace {
 

@@ -263,7 +263,7 @@ private:
 
     life_setting how_;
     tally& counts_;
-    sim::random_source chance_;
+    detail::random_source chance_;
     failing_port port_;
     blocking_client<failing_port> line_;
     std::optional<breach> wrong_{};

@@ -91,7 +91,7 @@ template <typename Device> a::start make_start(drive_setting const& set, asked_m
 }
 
 /// How a cycle is made; here alone.
-template <typename Device> a::cyclic<Device> make_cycle(drive_setting const& set, sim::random_source& chance)
+template <typename Device> a::cyclic<Device> make_cycle(drive_setting const& set, detail::random_source& chance)
 {
     a::cyclic_options const options{.period = milliseconds(40 + chance.below(160)),
                                     .supervision = risks_of(set),

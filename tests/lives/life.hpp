@@ -147,7 +147,7 @@ protected:
 
     life_setting how_;
     tally& counts_;
-    sim::random_source chance_;
+    detail::random_source chance_;
     Link link_;
     chronicle said_;
     std::vector<std::unique_ptr<node>> nodes_{};

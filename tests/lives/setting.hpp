@@ -46,7 +46,7 @@ struct life_setting {
     line_timing timing() const { return line_timing{bits_per_second, character_format::even_8_1}; }
 };
 
-inline drive_setting drive_of(sim::random_source& chance, std::uint8_t address, bool is_unsupervised)
+inline drive_setting drive_of(detail::random_source& chance, std::uint8_t address, bool is_unsupervised)
 {
     constexpr std::array<std::uint16_t, 5> trips{1, 1, 2, 6, 7};
     constexpr std::array<std::uint16_t, 3> runs_on{0, 4, 5};
@@ -72,7 +72,7 @@ inline drive_setting drive_of(sim::random_source& chance, std::uint8_t address, 
 
 inline life_setting setting_of(std::uint32_t seed)
 {
-    sim::random_source chance{seed * 2'654'435'761U + 17U};
+    detail::random_source chance{seed * 2'654'435'761U + 17U};
     constexpr std::array<std::uint32_t, 4> rates{9'600, 19'200, 19'200, 115'200};
     constexpr std::array<std::uint32_t, 4> retry_policy_ms{40, 100, 100, 300};
     life_setting how;

@@ -59,7 +59,7 @@ struct node {
         : drive{make_drive(set, how.timing(), now)}, law{how, set, *drive, counts}
     {}
 
-    bool loses(bool is_request, sim::random_source& chance)
+    bool loses(bool is_request, detail::random_source& chance)
     {
         ++passed;
         bool const is_nth = lost.each_nth != 0 and passed % lost.each_nth == 0;

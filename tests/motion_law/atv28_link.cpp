@@ -51,7 +51,7 @@ struct bench : test::simulated_bus<drive_client<4>, device> {
             }
         });
     }
-    sim::drive<device>& far() { return unit(0).drive(); }
+    detail::simulated_drive<device>& far() { return unit(0).drive(); }
     bool has_power() { return cia402::has_power(far().state_machine().state()); }
     bool is_by_link() { return (far().word("ETI") & 0x4000) != 0; }
     void tell(std::uint16_t address, std::uint16_t word)

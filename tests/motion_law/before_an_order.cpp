@@ -48,7 +48,7 @@ template <typename Device> struct checked_drive : test::simulated_bus<drive_clie
             }
         });
     }
-    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    detail::simulated_drive<Device>& far() { return this->unit(0).drive(); }
     void set(std::uint16_t address, std::uint16_t word)
     {
         register_block const value{word};

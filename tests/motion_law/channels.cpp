@@ -57,7 +57,7 @@ template <typename Device> struct bench : test::simulated_bus<drive_client<4>, D
         frame.push_back(to_byte(crc));
         frame.push_back(to_byte(crc >> 8U));
     }
-    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    detail::simulated_drive<Device>& far() { return this->unit(0).drive(); }
     bool has_power() { return cia402::has_power(far().state_machine().state()); }
     void set(std::uint16_t address, std::uint16_t word)
     {

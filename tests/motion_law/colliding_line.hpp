@@ -25,7 +25,7 @@ public:
 
     explicit late_unit(station<Device> const& of) : unit_{of.unit(), colliding_timing, instant{0}} {}
 
-    sim::drive<Device> const& drive() const { return unit_.drive(); }
+    detail::simulated_drive<Device> const& drive() const { return unit_.drive(); }
     void receive(byte_view bytes, instant at) { unit_.receive(bytes, at); }
     void receive_error(instant at) { unit_.receive_error(at); }
     void sent(instant at) { unit_.sent(at); }
@@ -95,11 +95,11 @@ private:
 
 /// The bench. `Link` is a client or a bus.
 template <typename Link, device_type... Devices>
-class colliding_line : public sim::basic_bench<Link, noting_line, late_unit<Devices>...> {
+class colliding_line : public detail::basic_bench<Link, noting_line, late_unit<Devices>...> {
 public:
     explicit colliding_line(Link const& link, station<Devices> const&... drives)
-        : sim::basic_bench<Link, noting_line, late_unit<Devices>...>{colliding_timing, noting_line{}, link,
-                                                                     late_unit<Devices>{drives}...}
+        : detail::basic_bench<Link, noting_line, late_unit<Devices>...>{colliding_timing, noting_line{}, link,
+                                                                        late_unit<Devices>{drives}...}
     {}
 };
 

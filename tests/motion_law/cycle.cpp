@@ -54,7 +54,7 @@ template <typename Device> struct cycling : test::simulated_bus<drive_client<4>,
             return loop.run(50_Hz);
         }
     }
-    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    detail::simulated_drive<Device>& far() { return this->unit(0).drive(); }
 };
 
 } // namespace

@@ -39,7 +39,7 @@ template <typename Device> struct bench : test::simulated_bus<drive_client<4>, D
             writes += is_request and frame[1] != std::byte{3} ? 1U : 0U;
         });
     }
-    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    detail::simulated_drive<Device>& far() { return this->unit(0).drive(); }
     void set(std::uint16_t address, std::uint16_t word)
     {
         register_block const value{word};

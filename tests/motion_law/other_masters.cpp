@@ -33,7 +33,7 @@ template <typename Device> struct cycling : test::simulated_bus<drive_client<2>,
     {
         this->base::run([&](instant at) { this->link().converse(loop, at); }, [] { return false; }, length);
     }
-    sim::drive<Device>& far() { return this->base::drive(0); }
+    detail::simulated_drive<Device>& far() { return this->base::drive(0); }
     state now_in() { return far().state_machine().state(); }
     bool order()
     {

@@ -53,7 +53,7 @@ template <typename Device> struct plant : simulated_bus<drive_client<4>, Device>
         this->add(unit_id{3});
         this->idle(milliseconds(20));
     }
-    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    detail::simulated_drive<Device>& far() { return this->unit(0).drive(); }
     std::int32_t millihertz() { return far().motor().frequency(); }
 
     /// What somebody else writes to the drive.

@@ -33,7 +33,7 @@ template <typename Device> struct bench : test::simulated_bus<bus<3>, Device> {
         this->idle(milliseconds(20));
         pass(milliseconds(1'000));
     }
-    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    detail::simulated_drive<Device>& far() { return this->unit(0).drive(); }
     void pass(duration length)
     {
         this->run([&](instant now) { this->link().converse(0, loop, now); }, [] { return false; }, length);

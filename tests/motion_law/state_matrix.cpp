@@ -131,7 +131,7 @@ public:
 
 private:
     instant now_{0};
-    sim::drive<Device> drive_{now_};
+    detail::simulated_drive<Device> drive_{now_};
 };
 
 struct tally {

@@ -44,7 +44,7 @@ template <typename Device> struct running : test::simulated_bus<drive_client<4>,
         REQUIRE(look.ready());
     }
 
-    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    detail::simulated_drive<Device>& far() { return this->unit(0).drive(); }
     bool has_power() { return cia402::has_power(far().state_machine().state()); }
     bool stands() { return far().state_machine().state() == state::switch_on_disabled; }
 };

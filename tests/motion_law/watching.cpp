@@ -41,7 +41,7 @@ template <typename Device> struct watched : test::simulated_bus<client, Device> 
             writes += is_request and frame[1] != std::byte{3} ? 1U : 0U;
         });
     }
-    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    detail::simulated_drive<Device>& far() { return this->unit(0).drive(); }
 
     /// Another master's word, which does not pass this client.
     void other_master(std::uint16_t address, std::uint16_t word)

@@ -163,7 +163,7 @@ TEST_CASE("a program shows what it read, and why it could not write")
     constexpr station<altivar::atv12::device> drive{unit_id{7}};
     bank<altivar::atv12::rfr, altivar::atv12::acc, altivar::atv12::dec> registers{};
     registers.set<altivar::atv12::rfr>(52.3_Hz);
-    sim::bench line{line_timing{19'200, character_format::even_8_1}, sim::bank_at{drive.unit(), registers}};
+    sim::bench line{line_timing{19'200, character_format::even_8_1}, bank_at{drive.unit(), registers}};
     std::ostringstream out;
     auto const speed = line.run(read<altivar::atv12::rfr>(drive));
     if (not speed) {

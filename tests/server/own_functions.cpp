@@ -89,7 +89,7 @@ TEST_CASE("a client asks for a function of the bank's own, as bytes and by a typ
 {
     adding_bank bank;
     static_cast<void>(bank.set(2, 7));
-    sim::bench bench{timing, sim::bank_at{unit_id{3}, bank}};
+    sim::bench bench{timing, bank_at{unit_id{3}, bank}};
     constexpr auto operands = "12 34"_hex;
     single_request raw{unit_id{3}, raw_pdu{static_cast<function_code>(0x41), operands}};
     auto const told = bench.run(raw);

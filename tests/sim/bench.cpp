@@ -32,7 +32,7 @@ constexpr bool reads_a_register_of_a_bank()
 {
     word_bank<8> registers{};
     static_cast<void>(registers.set(3, 1'500));
-    sim::bench bench{timing, sim::bank_at{unit_id{3}, registers}};
+    sim::bench bench{timing, bank_at{unit_id{3}, registers}};
     single_request ask{unit_id{3}, read_holding_registers{.start = 3, .count = 1}};
     auto const response = bench.run(ask)->to<read_holding_registers>();
     return response and response->registers[0] == 1'500;
@@ -43,7 +43,7 @@ PROOF("a register of a bank is read over a simulated line", reads_a_register_of_
 constexpr bool takes_the_time_of_the_line()
 {
     word_bank<8> registers{};
-    sim::bench bench{timing, sim::bank_at{unit_id{3}, registers}};
+    sim::bench bench{timing, bank_at{unit_id{3}, registers}};
     bench.run_for(milliseconds(100));
     instant const begin = bench.now();
     single_request ask{unit_id{3}, read_holding_registers{.start = 3, .count = 1}};

@@ -35,7 +35,7 @@ test::whole_bank filled_bank()
 /// A unit with everything, and the conversation with it. A response is a view of its request's memory.
 struct whole_unit {
     test::whole_bank bank = filled_bank();
-    sim::bench<host_client, sim::bank_unit<test::whole_bank>> bench{timing, sim::bank_at{three, bank, named}};
+    sim::bench<host_client, detail::bank_unit<test::whole_bank>> bench{timing, bank_at{three, bank, named}};
 
     template <typename Request> void ask(single_request<Request>& request, auto const& judge)
     {
@@ -107,7 +107,7 @@ TEST_CASE("what is written is what a unit holds")
 TEST_CASE("a unit has the functions that its bank has something for")
 {
     word_bank<4> registers;
-    sim::bench bench{timing, sim::bank_at{three, registers}};
+    sim::bench bench{timing, bank_at{three, registers}};
     CHECK(bench.run(single_request{three, read_coils{0, 1}}) == errc::illegal_function);
     CHECK(bench.run(single_request{three, read_fifo_queue{0}}) == errc::illegal_function);
     CHECK(bench.run(single_request{three, read_device_identification{}}) == errc::illegal_function);

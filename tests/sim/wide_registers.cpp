@@ -175,7 +175,7 @@ namespace {
 
 /// The n-th of the numbers that a counter shows: both halves are n, so that halves of two moments differ.
 constexpr std::uint32_t nth(std::uint32_t n) { return n << 16U | n; }
-constexpr bool is_whole(std::uint32_t count) { return count >> 16U == (count & 0xFFFFU); }
+constexpr bool is_all_there(std::uint32_t count) { return count >> 16U == (count & 0xFFFFU); }
 
 } // namespace
 
@@ -202,9 +202,9 @@ TEST_CASE("a value that changes between requests and during faults is never mixe
                                 quantity<electrical_energy, std::uint32_t, std::milli>{nth(n & 1U)});
                         });
         auto const& now = panel.latest();
-        REQUIRE(is_whole(now.get<meter::low>().count()));
-        REQUIRE(is_whole(now.get<meter::high>().count()));
-        REQUIRE(is_whole(now.get<meter::budget>().count()));
+        REQUIRE(is_all_there(now.get<meter::low>().count()));
+        REQUIRE(is_all_there(now.get<meter::high>().count()));
+        REQUIRE(is_all_there(now.get<meter::budget>().count()));
         whole += panel.outcome() ? 1U : 0U;
         failed += panel.outcome() ? 0U : 1U;
     }

@@ -96,7 +96,7 @@ public:
 
     /// A character that it hears.
     void hears(passing const& by, character const& value, bool is_request, chances const& with,
-               sim::random_source& random_source, moment now, instant clock)
+               detail::random_source& random_source, moment now, instant clock)
     {
         bool const is_last = by.next + 1 == by.content.size();
         moment const silent_since = std::max(last_heard_, excused_until_);
@@ -167,7 +167,7 @@ public:
     /// The transmission that it answers.
     std::uint32_t answers() const { return taken_; }
 
-    void leaves(moment end, chances const& with, sim::random_source& random_source)
+    void leaves(moment end, chances const& with, detail::random_source& random_source)
     {
         sending_until_ = sent_at_ = end;
         if (random_source.happens(with.sent_missed)) {

@@ -109,7 +109,7 @@ inline line_timing client_timing_of(setting const& how)
 
 inline setting setting_of(std::uint32_t seed, choice wanted)
 {
-    sim::random_source random_source{seed};
+    detail::random_source random_source{seed};
     auto const between = [&](std::uint32_t least, std::uint32_t most) {
         return least + random_source.below(most - least + 1);
     };

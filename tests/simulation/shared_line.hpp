@@ -141,7 +141,7 @@ private:
     }
 
     line_times times_;
-    sim::random_source random_;
+    detail::random_source random_;
     std::vector<passing> frames_{};
     moment next_{never};
     moment last_end_{0};

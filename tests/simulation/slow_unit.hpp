@@ -31,7 +31,7 @@ public:
     bool is_sending(moment from) const { return free_at_ > from; }
     void be_fast() { how_ = {.latency = {500, 2'000}}; }
 
-    void take(job const& asked, sim::random_source& random_source)
+    void take(job const& asked, detail::random_source& random_source)
     {
         if (how_.is_dead or (how_.forgets_when_busy and not jobs_.empty())) {
             return;
@@ -53,7 +53,7 @@ public:
     frame_origin origin() const { return {jobs_.front().transmission, could_begin_, chain_, is_late_chain_}; }
 
     /// Its response leaves until then; `longest` is what the client was told that it may take.
-    void leave(moment end, moment longest, sim::random_source& random_source)
+    void leave(moment end, moment longest, detail::random_source& random_source)
     {
         is_late_chain_ = is_late_chain_ or end - could_begin_ > longest;
         free_at_ = end;
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    void begin(sim::random_source& random_source)
+    void begin(detail::random_source& random_source)
     {
         could_begin_ = std::max(jobs_.front().heard, free_at_);
         moment const spread = how_.latency.most - how_.latency.least;

@@ -162,7 +162,7 @@ public:
     line_times const& times() const { return times_; }
     records& all() { return all_; }
     judge& verdicts() { return judge_; }
-    sim::random_source& random_source() { return random_; }
+    detail::random_source& random_source() { return random_; }
     bool is_calm() const { return is_calm_; }
 
 private:
@@ -443,7 +443,7 @@ private:
     records all_;
     judge judge_;
     shared_line line_;
-    sim::random_source random_;
+    detail::random_source random_;
     engine& link_;
     program& program_;
     moment now_{0};

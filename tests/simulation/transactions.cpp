@@ -68,7 +68,7 @@ struct inquiry {
     std::array<std::byte, max_adu_size> place{};
     byte_view frame{};
 
-    explicit inquiry(sim::random_source& random_source)
+    explicit inquiry(detail::random_source& random_source)
     {
         unit = static_cast<std::uint8_t>(1 + random_source.below(world::servers));
         auto const address = [&] { return static_cast<std::uint16_t>(random_source.below(60'000)); };
@@ -248,7 +248,7 @@ private:
     }
 
     world all_;
-    sim::random_source random_;
+    detail::random_source random_;
     tally& counts_;
     written before_{}; ///< by the request before
     bool has_adapter_;

@@ -115,7 +115,7 @@ int main(int argc, char** argv)
 {
     unsigned long const count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 2'000'000;
     listener listener{static_cast<std::uint32_t>(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1)};
-    sim::random_source random_source{99};
+    detail::random_source random_source{99};
     std::array<std::byte, size> response{std::byte{1}, std::byte{3}, std::byte{16}};
     unsigned long fooled = 0;
     for (unsigned long i = 0; i < count; ++i) {

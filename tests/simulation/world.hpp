@@ -267,7 +267,7 @@ private:
         }
     }
 
-    template <typename Party> static void tell(Party& bus, sim::character const& heard)
+    template <typename Party> static void tell(Party& bus, detail::character const& heard)
     {
         if (heard.is_damaged) {
             bus.receive_error(heard.at);

@@ -26,8 +26,8 @@ EVERY_DOOR = "Every door"
 # Namespaces with public names; those of one drive are public by its manual, all others are internal.
 SPACES = {"rtuwire", "rtuwire::altivar", "rtuwire::cia402", "rtuwire::sim", "rtuwire::units", "rtuwire::literals"}
 OF_A_DRIVE = re.compile(r"rtuwire::altivar::(atv\d+\w*|compact)\b")
-# Internal names that are ordinary words as well, so that a program may have a name like it.
-ORDINARY = {"descriptor", "drive", "drive_motor", "hold"}
+# Here a comment may say that a name is internal; everywhere else it stands in rtuwire::detail.
+BY_COMMENT = "altivar/"
 INTERNAL_HEADER = re.compile(r"^// Internal\b", re.MULTILINE)
 INTERNAL = re.compile(r"\bInternal\b")
 IN_DETAIL = re.compile(r"(?<!::)\bdetail::\w+|\brtuwire::detail\b(::\w+)?")
@@ -73,7 +73,8 @@ class House:
                     yield header, each
 
     def is_marked(self, header, declaration):
-        return header in self.internal or INTERNAL.search(declaration.comment) is not None
+        said = header in self.internal or INTERNAL.search(declaration.comment) is not None
+        return said and header.startswith(BY_COMMENT)
 
 
 def is_of_a_drive(header, declaration):
@@ -118,7 +119,7 @@ def internal_names(house, public):
     """Last parts of internal names that no public name has, too."""
     known = {path.split("::")[-1] for path in public}
     known |= {each.name for header, held in house.held.items() for each in held if is_of_a_drive(header, each)}
-    return {each.name for header, each in house.named()} - known - ORDINARY
+    return {each.name for header, each in house.named()} - known
 
 
 def uses(path, code, internal, doors):

@@ -77,19 +77,21 @@ class Declarations(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def test_a_name_is_public_or_marked(self):
-        def found(words, head="", public=()):
-            return list(names.unlisted(house(core__a=in_rtuwire(words, head)), set(public)))
+        def found(words, head="", public=(), room="altivar__procedure__a"):
+            return list(names.unlisted(house(**{room: in_rtuwire(words, head)}), set(public)))
         self.assertEqual(len(found("struct a {};")), 1)
         self.assertEqual(found("struct a {};", public={"a"}), [])
         self.assertEqual(found("/// Internal.\nstruct a {};"), [])
         self.assertEqual(found("struct a {};", head="// Internal: may change."), [])
-        self.assertEqual(found("namespace detail { struct a {}; }"), [])
+        self.assertEqual(len(found("/// Internal.\nstruct a {};", room="sim__drive__a")), 1)
+        self.assertEqual(len(found("struct a {};", head="// Internal: may change.", room="core__a")), 1)
+        self.assertEqual(found("namespace detail { struct a {}; }", room="core__a"), [])
         self.assertEqual(found("inline void this_value_does_not_fit() {}"), [])
         self.assertEqual(len(found("inline void bytes_at_the_most() {}")), 1)
 
     def test_the_page_says_what_is_there(self):
         inside = house(client='#include <rtuwire/core/a.hpp>', core__a=in_rtuwire("struct a {};"),
-                       core__b=in_rtuwire("struct b {};"), core__c=in_rtuwire("struct c {};", "// Internal."))
+                       core__b=in_rtuwire("struct b {};"), altivar__c=in_rtuwire("struct c {};", "// Internal."))
         self.assertEqual(list(names.wrongly_listed(inside, {"client.hpp": ["a"]})), [])
         self.assertEqual(len(list(names.wrongly_listed(inside, {"client.hpp": ["b"]}))), 1)
         self.assertEqual(len(list(names.wrongly_listed(inside, {"What it has (client.hpp)": ["a", "b"]}))), 1)

@@ -18,7 +18,7 @@ public:
 
     drive_bench() { wait(10); }
 
-    sim::drive<Device>& drive() { return drive_; }
+    detail::simulated_drive<Device>& drive() { return drive_; }
 
     /// Time without a request, in one step and the next look.
     void wait(std::uint32_t time_ms)
@@ -59,7 +59,7 @@ public:
 
 private:
     instant now_{0};
-    sim::drive<Device> drive_{now_};
+    detail::simulated_drive<Device> drive_{now_};
 };
 
 } // namespace rtuwire::test

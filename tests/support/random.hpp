@@ -11,7 +11,7 @@ namespace rtuwire::test {
 using namespace detail;
 
 /// The simulation's random numbers; the seed names the run.
-class random : public sim::random_source {
+class random : public detail::random_source {
 public:
     using random_source::random_source;
 

@@ -123,8 +123,8 @@ struct watched_line : sim::line {
 
 /// The bench. `Link` is a client or a bus. `converse` is what its owner does in each pass.
 template <typename Link, typename Device>
-class simulated_bus : public sim::basic_bench<Link, watched_line, crowd<Device>> {
-    using base = sim::basic_bench<Link, watched_line, crowd<Device>>;
+class simulated_bus : public detail::basic_bench<Link, watched_line, crowd<Device>> {
+    using base = detail::basic_bench<Link, watched_line, crowd<Device>>;
 
 public:
     explicit simulated_bus(Link link) : base{bus_timing, watched_line{}, link, bus_timing}
@@ -139,7 +139,7 @@ public:
     /// While it is asked what becomes of a frame, the time at which that has arrived.
     instant now() const { return arrival_ ? *arrival_ : base::now(); }
     sim::unit<Device>& unit(std::size_t index) { return units().unit(index); }
-    sim::drive<Device>& drive(std::size_t index = 0) { return unit(index).drive(); }
+    detail::simulated_drive<Device>& drive(std::size_t index = 0) { return unit(index).drive(); }
     void add(unit_id address) { units().add(address, now()); }
 
     using frame_bytes = test::frame_bytes;

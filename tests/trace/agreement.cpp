@@ -142,7 +142,7 @@ void check_run(std::uint32_t seed, sim::line_faults const& faults, totals& sum)
     using traced_client = client::traced_by<record_list>;
     sim::line wire{timing, seed};
     wire.set_faults(faults);
-    sim::basic_bench<traced_client, sim::line, test::slow_unit<record_list>, tap> bench{
+    detail::basic_bench<traced_client, sim::line, test::slow_unit<record_list>, tap> bench{
         timing, wire, traced_client{timing, options}, test::slow_unit{unit_id{7}, timing, seed, at_server},
         tap{bursts, whole}};
     bench.link().trace_to(at_client);

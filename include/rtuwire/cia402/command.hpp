@@ -25,11 +25,39 @@ enum class command : std::uint8_t {
     fault_reset,
 };
 
+} // namespace cia402
+
+namespace detail {
+
 /// Bits of the control word that are not a command.
-/// Internal.
 inline constexpr std::uint16_t halt_bit = 0x0100;
-/// Internal.
 inline constexpr std::uint16_t fault_reset_bit = 0x0080;
+
+/// The command in bits 0 to 3 of a control word: the tables print an x for bit 7 in all of these.
+[[nodiscard]] constexpr cia402::command command_in(std::uint16_t word) noexcept
+{
+    if ((word & 0x02) == 0) {
+        return cia402::command::disable_voltage;
+    }
+    if ((word & 0x04) == 0) {
+        return cia402::command::quick_stop;
+    }
+    if ((word & 0x01) == 0) {
+        return cia402::command::shutdown;
+    }
+    return (word & 0x08) == 0 ? cia402::command::switch_on : cia402::command::enable_operation;
+}
+
+/// Whether a control word resets a fault, given the one before it: by a rising edge of bit 7. In a fault no other bit
+/// has an effect; in any other state the edge has none.
+[[nodiscard]] constexpr bool is_reset_edge(std::uint16_t before, std::uint16_t word) noexcept
+{
+    return (word & ~before & fault_reset_bit) != 0;
+}
+
+} // namespace detail
+
+namespace cia402 {
 
 /// The control word of a command; 0 for `none`, which is also "disable voltage".
 [[nodiscard]] constexpr std::uint16_t word_of(command what) noexcept
@@ -39,42 +67,11 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
     case command::switch_on: return 0x0007;
     case command::enable_operation: return 0x000F;
     case command::quick_stop: return 0x0002;
-    case command::fault_reset: return fault_reset_bit;
+    case command::fault_reset: return detail::fault_reset_bit;
     case command::none:
     case command::disable_voltage: break;
     }
     return 0x0000;
-}
-
-/// The command in bits 0 to 3 of a control word: the tables print an x for bit 7 in all of these.
-/// Internal.
-[[nodiscard]] constexpr command recognise(std::uint16_t word) noexcept
-{
-    if ((word & 0x02) == 0) {
-        return command::disable_voltage;
-    }
-    if ((word & 0x04) == 0) {
-        return command::quick_stop;
-    }
-    if ((word & 0x01) == 0) {
-        return command::shutdown;
-    }
-    return (word & 0x08) == 0 ? command::switch_on : command::enable_operation;
-}
-
-/// Whether a control word resets a fault, given the one before it: by a rising edge of bit 7. In a fault no other bit
-/// has an effect; in any other state the edge has none.
-/// Internal.
-[[nodiscard]] constexpr bool is_reset_edge(std::uint16_t before, std::uint16_t word) noexcept
-{
-    return (word & ~before & fault_reset_bit) != 0;
-}
-
-/// The command that a control word gives to a drive in state `from`, given the word before it.
-[[nodiscard]] constexpr command recognise(state from, std::uint16_t before, std::uint16_t word) noexcept
-{
-    bool const is_reset = from == state::fault and is_reset_edge(before, word);
-    return is_reset ? command::fault_reset : recognise(word);
 }
 
 /// A command's name in the profile.

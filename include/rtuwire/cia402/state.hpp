@@ -28,54 +28,58 @@ enum class state : std::uint8_t {
     fault,
 };
 
+} // namespace cia402
+
+namespace detail {
+
 /// Bit 5 of the status word, low during a quick stop.
-/// Internal.
 inline constexpr std::uint16_t no_quick_stop_bit = 0x20;
 
 /// The bits of a status word that encode one state.
-/// Internal.
 struct state_pattern {
     std::uint16_t mask;
     std::uint16_t value;
-    state meaning;
+    cia402::state meaning;
 };
 
 /// The eight patterns; no word matches two of them.
-/// Internal.
 inline constexpr std::array<state_pattern, 8> state_patterns{{
-    {0x4F, 0x00, state::not_ready_to_switch_on},
-    {0x4F, 0x40, state::switch_on_disabled},
-    {0x6F, 0x21, state::ready_to_switch_on},
-    {0x6F, 0x23, state::switched_on},
-    {0x6F, 0x27, state::operation_enabled},
-    {0x6F, 0x07, state::quick_stop_active},
-    {0x4F, 0x0F, state::fault_reaction_active},
-    {0x4F, 0x08, state::fault},
+    {0x4F, 0x00, cia402::state::not_ready_to_switch_on},
+    {0x4F, 0x40, cia402::state::switch_on_disabled},
+    {0x6F, 0x21, cia402::state::ready_to_switch_on},
+    {0x6F, 0x23, cia402::state::switched_on},
+    {0x6F, 0x27, cia402::state::operation_enabled},
+    {0x6F, 0x07, cia402::state::quick_stop_active},
+    {0x4F, 0x0F, cia402::state::fault_reaction_active},
+    {0x4F, 0x08, cia402::state::fault},
 }};
-
-/// The state in a status word. Bit 4 is not used here: drives differ in its sense.
-[[nodiscard]] constexpr state decode(std::uint16_t status_word) noexcept
-{
-    for (state_pattern const& each : state_patterns) {
-        if ((status_word & each.mask) == each.value) {
-            return each.meaning;
-        }
-    }
-    return state::unknown;
-}
 
 /// The bits 0 to 6 of a drive's status word in a state, without bit 4; 0 for `unknown`. Bit 5 is open in some states:
 /// low in "switch on disabled" and before, as the manuals print it; high in a fault, unless a quick stop led there.
-/// Internal.
-[[nodiscard]] constexpr std::uint16_t status_bits(state of) noexcept
+[[nodiscard]] constexpr std::uint16_t status_bits(cia402::state of) noexcept
 {
-    bool const is_fault = of == state::fault or of == state::fault_reaction_active;
+    bool const is_fault = of == cia402::state::fault or of == cia402::state::fault_reaction_active;
     for (state_pattern const& each : state_patterns) {
         if (each.meaning == of) {
             return static_cast<std::uint16_t>(each.value | (is_fault ? no_quick_stop_bit : 0));
         }
     }
     return 0;
+}
+
+} // namespace detail
+
+namespace cia402 {
+
+/// The state in a status word. Bit 4 is not used here: drives differ in its sense.
+[[nodiscard]] constexpr state decode(std::uint16_t status_word) noexcept
+{
+    for (detail::state_pattern const& each : detail::state_patterns) {
+        if ((status_word & each.mask) == each.value) {
+            return each.meaning;
+        }
+    }
+    return state::unknown;
 }
 
 /// Whether the drive may be turning its motor by itself.

@@ -49,7 +49,6 @@ struct state_machine_options {
 };
 
 /// One transition that a command causes.
-/// Internal.
 struct transition_rule {
     transition number;
     state from;
@@ -59,7 +58,6 @@ struct transition_rule {
 
 /// The transitions that commands cause. The others happen by themselves: 0 and 1 at power-up, 12 at the end of a
 /// quick stop, 13 and 14 when a fault is detected.
-/// Internal.
 inline constexpr std::array<transition_rule, 16> transition_rules{{
     {transition::t2, state::switch_on_disabled, command::shutdown, state::ready_to_switch_on},
     {transition::t3, state::ready_to_switch_on, command::switch_on, state::switched_on},
@@ -79,21 +77,29 @@ inline constexpr std::array<transition_rule, 16> transition_rules{{
     {transition::t16, state::quick_stop_active, command::enable_operation, state::operation_enabled},
 }};
 
+} // namespace cia402
+
+namespace detail {
+
 /// Whether a drive with these options has a transition.
-/// Internal.
-[[nodiscard]] constexpr bool is_present(transition number, state_machine_options const& options) noexcept
+[[nodiscard]] constexpr bool is_present(cia402::transition number,
+                                        cia402::state_machine_options const& options) noexcept
 {
-    if (number == transition::t3b) {
+    if (number == cia402::transition::t3b) {
         return options.enables_from_ready;
     }
-    return number != transition::t16 or options.resumes_from_quick_stop;
+    return number != cia402::transition::t16 or options.resumes_from_quick_stop;
 }
+
+} // namespace detail
+
+namespace cia402 {
 
 /// The transition that a command causes in a state; `none` to the same state where it is not accepted.
 [[nodiscard]] constexpr transition_rule step(state from, command cause, state_machine_options const& options) noexcept
 {
     for (transition_rule const& each : transition_rules) {
-        if (each.from == from and each.cause == cause and is_present(each.number, options)) {
+        if (each.from == from and each.cause == cause and detail::is_present(each.number, options)) {
             return each;
         }
     }

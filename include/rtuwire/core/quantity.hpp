@@ -217,7 +217,6 @@ private:
 
 namespace detail {
 
-/// Internal.
 template <typename T> inline constexpr bool is_quantity_type = false;
 template <typename Dimension, typename Rep, typename Scale>
 inline constexpr bool is_quantity_type<quantity<Dimension, Rep, Scale>> = true;

@@ -6,7 +6,6 @@
 // Uses atomic loads and stores only: a Cortex-M0+ has no other atomic instruction. They are the compiler's
 // built-in functions, because <atomic> takes longer to compile than all else its users need and its
 // objects cannot be used in a constant expression.
-// Internal: may change with any version.
 #pragma once
 
 #include <type_traits>

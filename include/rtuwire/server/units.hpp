@@ -39,8 +39,9 @@ private:
     static constexpr server_profile every_function{};
 };
 
+namespace detail {
+
 /// What a server of several units stores of an argument: a `bank_at`, or a view of an array of them.
-/// Internal.
 template <typename T> struct entry_for;
 template <register_bank Bank> struct entry_for<bank_at<Bank>> {
     using type = bank_at<Bank>;
@@ -52,9 +53,6 @@ template <register_bank Bank, std::size_t Extent> struct entry_for<std::span<ban
     using type = std::span<bank_at<Bank> const>;
 };
 
-namespace detail {
-
-/// Internal.
 template <typename T>
 concept names_units = requires
 {

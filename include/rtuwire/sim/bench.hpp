@@ -33,10 +33,9 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// What can be connected to a line: a client, a bus, a simulated drive, a server with its bank.
-/// Internal.
 template <typename T>
 concept line_end = requires(T& end, byte_view bytes, instant now)
 {
@@ -53,7 +52,6 @@ concept line_end = requires(T& end, byte_view bytes, instant now)
 };
 
 /// Bytes that were received one right after the other, up to and including a damaged one.
-/// Internal.
 struct chunk {
     std::array<std::byte, max_adu_size> bytes{};
     std::size_t size{0};
@@ -76,7 +74,6 @@ struct chunk {
 };
 
 /// One end of the line and the state of its transceiver.
-/// Internal.
 template <std::size_t Sender, line_end End> struct terminal {
     static constexpr unsigned sender = Sender;
 
@@ -125,18 +122,16 @@ template <std::size_t Sender, line_end End> struct terminal {
         }
     }
 
-    constexpr void add_to(detail::earliest& next) const noexcept
+    constexpr void add_to(earliest& next) const noexcept
     {
         next.add(sends_until);
         next.add(end.poll_deadline());
     }
 };
 
-/// Internal.
 template <typename Numbers, line_end... Ends> class terminals;
 
 /// All ends of a line, numbered as its senders.
-/// Internal.
 template <std::size_t... Numbers, line_end... Ends>
 class terminals<std::index_sequence<Numbers...>, Ends...> : terminal<Numbers, Ends>... {
 public:
@@ -163,7 +158,6 @@ private:
 
 /// A server and the bank that it serves, as one end of a line. It has the public functions that the bank has something
 /// for. Borrows the bank and the profile, which must outlive it.
-/// Internal.
 template <register_bank Bank> class bank_unit {
 public:
     constexpr bank_unit(unit_id its_address, line_timing const& its_line, Bank& bank,
@@ -179,28 +173,22 @@ public:
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept { return node_.poll_deadline(); }
 
 private:
-    detail::basic_server<detail::serial_diagnostics, detail::served_functions<Bank>> node_;
+    basic_server<serial_diagnostics, served_functions<Bank>> node_;
     Bank* bank_;
 };
 
-/// A bank at a unit address, as for a server of several units.
-/// Internal.
-using rtuwire::bank_at;
-
 /// The end of a line that an argument of a bench describes.
-/// Internal.
 template <typename T> struct end_for {
     using type = T;
 };
 template <device_type Device> struct end_for<station<Device>> {
-    using type = unit<Device>;
+    using type = sim::unit<Device>;
 };
 template <register_bank Bank> struct end_for<bank_at<Bank>> {
     using type = bank_unit<Bank>;
 };
 
 /// Makes that end where it stays: not by a copy, which a constant expression refuses for memory that is not set yet.
-/// Internal.
 struct end_maker {
     line_timing const& line;
 
@@ -216,11 +204,10 @@ struct end_maker {
     }
 };
 
-/// The bench over a line of any kind: internal, `bench` is the one to use. `Line` offers `transmit`, `receive` and
+/// The bench over a line of any kind: `bench` is the one to use. `Line` offers `transmit`, `receive` and
 /// `poll_deadline` as `sim::line` does.
-/// Internal.
 template <typename Link, typename Line, line_end... Units> class basic_bench {
-    static_assert(1 + sizeof...(Units) <= line::max_senders, "a simulated line has up to 7 units");
+    static_assert(1 + sizeof...(Units) <= sim::line::max_senders, "a simulated line has up to 7 units");
 
 public:
     /// `link` is the client or bus, or the times of its line; the others describe the units.
@@ -293,13 +280,13 @@ public:
         requires conversation<std::remove_cvref_t<Conversation>>
     constexpr auto run(Conversation&& conversation, duration limit = longest_run)
     {
-        static_assert(not detail::endless_conversation<std::remove_cvref_t<Conversation>>,
+        static_assert(not endless_conversation<std::remove_cvref_t<Conversation>>,
                       "this conversation never ends: give it to run_for or run_until");
-        if (not detail::can_run(conversation)) {
-            return detail::outcome_of(std::forward<Conversation>(conversation), errc::used_already);
+        if (not can_run(conversation)) {
+            return outcome_of(std::forward<Conversation>(conversation), errc::used_already);
         }
         static_cast<void>(run_until([&] { return conversation.settled(); }, limit, conversation));
-        return detail::outcome_of(std::forward<Conversation>(conversation));
+        return outcome_of(std::forward<Conversation>(conversation));
     }
 
     /// Runs conversations side by side until all have ended, at most for `longest_run`; returns whether they have. One that
@@ -307,7 +294,7 @@ public:
     template <conversation First, conversation Second, conversation... Rest>
     constexpr bool run(First& first, Second& second, Rest&... rest)
     {
-        if (not(detail::can_run(first) and detail::can_run(second) and (detail::can_run(rest) and ...))) {
+        if (not(can_run(first) and can_run(second) and (can_run(rest) and ...))) {
             return false;
         }
         auto const is_done = [&] { return first.settled() and second.settled() and (rest.settled() and ...); };
@@ -344,7 +331,7 @@ private:
             }
             each.transmit(wire_, link().line(), now_);
         });
-        detail::earliest next;
+        earliest next;
         next.add(end);
         if (not wire_.poll_deadline()) {
             next.add(now_ + (longest < longest_sleep ? longest : longest_sleep));
@@ -374,15 +361,15 @@ private:
     }
 
     template <typename Conversation>
-    constexpr void add_to(detail::earliest& next, to_its_end<Conversation> const& visitor) const noexcept
+    constexpr void add_to(earliest& next, to_its_end<Conversation> const& visitor) const noexcept
     {
         add_to(next, visitor.of);
     }
 
     /// A time that has come had its effect in this pass.
-    template <typename Visitor> constexpr void add_to(detail::earliest& next, Visitor const& visitor) const noexcept
+    template <typename Visitor> constexpr void add_to(earliest& next, Visitor const& visitor) const noexcept
     {
-        if constexpr (detail::timed_conversation<Visitor>) {
+        if constexpr (timed_conversation<Visitor>) {
             deadline const at = visitor.poll_deadline();
             if (at and not reached(now_, *at)) {
                 next.add(*at);
@@ -426,10 +413,14 @@ private:
     instant now_{0};
 };
 
+} // namespace detail
+
+namespace sim {
+
 /// A client or bus and up to seven units on a line. A unit is given as a `station` (a simulated drive of that kind),
 /// as `bank_at`, as a server of several units, or as another end of a line that is already made.
-template <typename Link, line_end... Units> class bench : public basic_bench<Link, line, Units...> {
-    using base = basic_bench<Link, line, Units...>;
+template <typename Link, detail::line_end... Units> class bench : public detail::basic_bench<Link, line, Units...> {
+    using base = detail::basic_bench<Link, line, Units...>;
 
 public:
     template <typename... Ends>
@@ -444,8 +435,10 @@ public:
     {}
 };
 
-template <typename... Ends> bench(line_timing, Ends const&...) -> bench<host_client, typename end_for<Ends>::type...>;
-template <line_end Link, typename... Ends> bench(Link, Ends const&...) -> bench<Link, typename end_for<Ends>::type...>;
+template <typename... Ends>
+bench(line_timing, Ends const&...) -> bench<host_client, typename detail::end_for<Ends>::type...>;
+template <detail::line_end Link, typename... Ends>
+bench(Link, Ends const&...) -> bench<Link, typename detail::end_for<Ends>::type...>;
 
 } // namespace sim
 } // namespace RTUWIRE_BUILD

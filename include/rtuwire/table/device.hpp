@@ -112,7 +112,6 @@ private:
 
 namespace detail {
 
-/// Internal.
 template <typename Device> inline constexpr bool is_described = requires { sizeof(Device); };
 
 } // namespace detail

@@ -52,8 +52,6 @@ template <auto const& Item, auto const&... Registers> struct registers_named<Ite
     static constexpr bool is_group = true;
 };
 
-} // namespace detail
-
 /// Lists one behind the other; eight at a time, because each step names all registers so far.
 template <typename... Lists> struct joined_lists;
 template <typename List> struct joined_lists<List> {
@@ -67,8 +65,6 @@ template <typename First, typename A, typename B, typename C, typename D, typena
 struct joined_lists<First, A, B, C, D, E, F, G, H, Others...>
     : joined_lists<typename First::template followed_by<typename joined_lists<A, B, C, D, E, F, G, H>::type>,
                    Others...> {};
-
-namespace detail {
 
 /// All registers that a plan's arguments name. Named in one list where none of them is a group.
 template <bool IsAnyGroup, auto const&... Items> struct all_named {

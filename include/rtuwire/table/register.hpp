@@ -136,7 +136,6 @@ enum class register_space : std::uint8_t {
 
 namespace detail {
 
-/// Internal.
 [[nodiscard]] constexpr bool is_space_of_bits(register_space space) noexcept
 {
     return space == register_space::coil or space == register_space::discrete_input;

@@ -95,12 +95,8 @@ template <typename Key, std::size_t Size>
     return key_index{list}.duplicate();
 }
 
-} // namespace detail
-
 /// Facts, as a type.
 template <bool... Facts> struct fact_list;
-
-namespace detail {
 
 /// Whether all of them hold; true of none. A list whose facts are all true is the same, moved by one.
 template <bool... Facts>

@@ -3,7 +3,6 @@
 //
 // Whether bytes begin with a frame, for somebody who takes no part in the exchange: as a request, as the response to a
 // request that passed, or as a response alone. A frame is whole where its length rule is met and the CRC is right.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +21,7 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace detail {
 
-/// Internal: what bytes turned out to be.
+/// What bytes turned out to be.
 struct frame_match {
     enum class outcome : std::uint8_t {
         refuted, ///< no frame begins here

@@ -4,7 +4,6 @@
 // What a listener keeps: the bytes that it has not handed out yet, each with the time when it had arrived, and between
 // which of them damaged ones lay, in one piece, so that a view of a frame is one span; and a request that passed, for its
 // response. Apart from the listener, which says what becomes of them.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace detail {
 
-/// Internal: room for two of the longest frames.
+/// Room for two of the longest frames.
 class heard_bytes {
 public:
     static constexpr std::size_t capacity = 2 * max_adu_size;
@@ -101,7 +100,7 @@ private:
     bool has_damage_{false};
 };
 
-/// Internal: the bytes of one frame, or none, and when it ended.
+/// The bytes of one frame, or none, and when it ended.
 class passed_request {
 public:
     constexpr void note(byte_view bytes, instant end) noexcept

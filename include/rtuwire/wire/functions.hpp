@@ -107,46 +107,39 @@ private:
     std::uint16_t hint_{0}; ///< in one register, which small processors return best
 };
 
-} // namespace detail
-
 /// The rules of the functions that have codes up to 24, one byte each, and of the others.
-/// Internal.
 namespace length_rules {
 
 inline constexpr std::size_t in_table = 25;
 
-template <typename Function>
-inline constexpr bool is_in_table = detail::to_u8(detail::function_row<Function>::code) < in_table;
+template <typename Function> inline constexpr bool is_in_table = to_u8(function_row<Function>::code) < in_table;
 
 template <typename... Functions>
 [[nodiscard]] consteval std::array<std::uint8_t, in_table> table_of(function_list<Functions...>,
-                                                                    std::uint8_t detail::frame_rules::*way) noexcept
+                                                                    std::uint8_t frame_rules::*way) noexcept
 {
     std::array<std::uint8_t, in_table> rules{};
-    auto const put = [&](function_code code, detail::frame_rules const& of) {
-        if (detail::to_u8(code) < in_table) {
-            rules[detail::to_u8(code)] = of.*way;
+    auto const put = [&](function_code code, frame_rules const& of) {
+        if (to_u8(code) < in_table) {
+            rules[to_u8(code)] = of.*way;
         }
     };
-    (put(detail::function_row<Functions>::code, detail::function_row<Functions>::rules), ...);
+    (put(function_row<Functions>::code, function_row<Functions>::rules), ...);
     return rules;
 }
 
-template <typename Functions> inline constexpr auto requests = table_of(Functions{}, &detail::frame_rules::request);
-template <typename Functions> inline constexpr auto responses = table_of(Functions{}, &detail::frame_rules::response);
+template <typename Functions> inline constexpr auto requests = table_of(Functions{}, &frame_rules::request);
+template <typename Functions> inline constexpr auto responses = table_of(Functions{}, &frame_rules::response);
 
 /// The rule of a function that is not in the table; an exception has one as a response.
 template <typename... Functions>
 [[nodiscard, gnu::always_inline]] constexpr std::uint8_t of_others(function_list<Functions...>, bool asks,
                                                                    std::uint8_t wire_code) noexcept
 {
-    bool const is_exception = (wire_code & detail::exception_bit) != 0;
-    std::uint8_t rule = is_exception and not asks
-                            ? detail::sized(detail::length_rule::fixed, detail::exception_adu_size)
-                            : std::uint8_t{0};
-    ((rule = not is_in_table<Functions> and wire_code == detail::to_u8(detail::function_row<Functions>::code)
-                 ? (asks ? detail::function_row<Functions>::rules.request
-                         : detail::function_row<Functions>::rules.response)
+    bool const is_exception = (wire_code & exception_bit) != 0;
+    std::uint8_t rule = is_exception and not asks ? sized(length_rule::fixed, exception_adu_size) : std::uint8_t{0};
+    ((rule = not is_in_table<Functions> and wire_code == to_u8(function_row<Functions>::code)
+                 ? (asks ? function_row<Functions>::rules.request : function_row<Functions>::rules.response)
                  : rule),
      ...);
     return rule;
@@ -155,16 +148,15 @@ template <typename... Functions>
 /// Whether a request of one of these functions may be the function alone: the response may begin with all of it.
 template <typename... Functions> [[nodiscard]] constexpr bool may_be_alone(function_list<Functions...>) noexcept
 {
-    return ((not is_in_table<Functions> or detail::function_row<Functions>::rules.request ==
-                                               detail::sized(detail::length_rule::fixed, min_adu_size)) or
+    return ((not is_in_table<Functions> or
+             function_row<Functions>::rules.request == sized(length_rule::fixed, min_adu_size)) or
             ...);
 }
 
 /// The rule of one function in one direction; `wire_code` is the byte behind the unit address.
-template <typename Functions>
-[[nodiscard]] constexpr std::uint8_t of(detail::direction dir, std::uint8_t wire_code) noexcept
+template <typename Functions> [[nodiscard]] constexpr std::uint8_t of(direction dir, std::uint8_t wire_code) noexcept
 {
-    bool const asks = dir == detail::direction::request;
+    bool const asks = dir == direction::request;
     if (wire_code >= in_table) {
         return of_others(Functions{}, asks, wire_code);
     }
@@ -173,18 +165,17 @@ template <typename Functions>
 
 template <typename Function>
 inline constexpr bool
-    has_own = static_cast<detail::length_rule>(
-                  detail::function_row<Function>::rules.response& detail::length_rule_bits) == detail::length_rule::own;
+    has_own = static_cast<length_rule>(function_row<Function>::rules.response& length_rule_bits) == length_rule::own;
 
 /// What the one function says of its size that has a rule of its own; of several, the one with this code.
 template <typename First, typename... Others>
-[[nodiscard, gnu::always_inline]] constexpr detail::raw_length own(function_list<First, Others...>,
-                                                                   detail::direction dir, byte_view adu) noexcept
+[[nodiscard, gnu::always_inline]] constexpr raw_length own(function_list<First, Others...>, direction dir,
+                                                           byte_view adu) noexcept
 {
     if constexpr (has_own<First>) {
         bool const is_only = not(has_own<Others> or ...);
-        if (is_only or detail::function_row<First>::code == static_cast<function_code>(detail::to_u8(adu[1]))) {
-            return detail::function_row<First>::length(dir, adu);
+        if (is_only or function_row<First>::code == static_cast<function_code>(to_u8(adu[1]))) {
+            return function_row<First>::length(dir, adu);
         }
     }
     if constexpr (sizeof...(Others) > 0) {
@@ -195,8 +186,6 @@ template <typename First, typename... Others>
 }
 
 } // namespace length_rules
-
-namespace detail {
 
 /// What the first bytes of an ADU say by their rule in the table.
 template <typename Functions>

@@ -43,7 +43,7 @@ template <typename Device> struct running : test::simulated_bus<drive_client<4>,
     {
         this->run([&](instant now) { this->link().converse(loop, now); }, [] { return false; }, length);
     }
-    sim::drive<Device>& far() { return this->drive(0); }
+    detail::simulated_drive<Device>& far() { return this->drive(0); }
     state now_in() { return far().state_machine().state(); }
 
     bool order()

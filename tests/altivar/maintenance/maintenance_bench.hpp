@@ -53,7 +53,7 @@ struct told_list {
 /// The line, with a client that commands.
 template <std::size_t Identity = 320> struct paper_bench {
     paper_drive& drive;
-    sim::bench<drive_client<4>, sim::bank_unit<paper_drive>> line;
+    sim::bench<drive_client<4>, detail::bank_unit<paper_drive>> line;
 
     explicit paper_bench(paper_drive& its_drive, std::uint8_t retries = 2)
         : drive{its_drive}, line{drive_client<4>{paper_line, client_options{.response_timeout = milliseconds(100),

@@ -371,7 +371,7 @@ TEST_CASE("a drive that refuses everything for a moment ends the restore, or not
 TEST_CASE("over a line that loses one frame in a hundred, every restore ends with the configuration")
 {
     for (std::uint32_t seed = 1; seed <= 100; ++seed) {
-        sim::random_source random{seed};
+        detail::random_source random{seed};
         word_list words = other_words();
         words["SP2"] = static_cast<std::uint16_t>(random.below(5990));
         words["SP4"] = static_cast<std::uint16_t>(random.next());

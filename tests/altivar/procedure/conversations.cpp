@@ -40,7 +40,7 @@ template <typename Device> struct pair : test::simulated_bus<drive_client<4>, De
     }
 
     state now_in() { return this->drive_().state_machine().state(); }
-    sim::drive<Device>& drive_() { return test::simulated_bus<drive_client<4>, Device>::drive(0); }
+    detail::simulated_drive<Device>& drive_() { return test::simulated_bus<drive_client<4>, Device>::drive(0); }
 
     template <typename Conversation> reason end_of(Conversation conversation)
     {

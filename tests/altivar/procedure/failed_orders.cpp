@@ -37,7 +37,7 @@ template <typename Device> struct pair : test::simulated_bus<drive_client<4>, De
         this->idle(milliseconds(20));
     }
 
-    sim::drive<Device>& far() { return test::simulated_bus<drive_client<4>, Device>::drive(0); }
+    detail::simulated_drive<Device>& far() { return test::simulated_bus<drive_client<4>, Device>::drive(0); }
     state now_in() { return far().state_machine().state(); }
 
     /// Another master's control word.

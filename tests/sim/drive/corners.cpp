@@ -21,7 +21,7 @@ namespace {
 /// A drive, its clock, and words by their addresses.
 template <typename Device> struct workbench {
     instant now{0};
-    sim::drive<Device> drive{now};
+    detail::simulated_drive<Device> drive{now};
 
     workbench() { wait(10); }
 
@@ -76,7 +76,7 @@ namespace {
 /// The thermal state, in percent, behind a full turn of the clock at so much current of 0.1 A.
 constexpr std::int32_t heat_of(std::int32_t current, std::int32_t protection)
 {
-    sim::motor shaft;
+    detail::motor shaft;
     shaft.inject(duration{0xFFFF'FFFF}, {.rated_current = current, .protection = protection});
     return shaft.thermal_state();
 }
@@ -161,7 +161,7 @@ TEST_CASE("an ATV28 in fault does not obey a direct command, nor one without its
 
 TEST_CASE("a drive in fault obeys no direct word, and trips once")
 {
-    sim::state_machine state_machine{atv28::device::layout.state_machine};
+    detail::state_machine state_machine{atv28::device::layout.state_machine};
     state_machine.power_up();
     state_machine.enable_directly();
     CHECK(state_machine.state() == state::not_ready_to_switch_on);
@@ -178,7 +178,7 @@ TEST_CASE("a drive in fault obeys no direct word, and trips once")
 
 TEST_CASE("the place of no register takes nothing and gives 0")
 {
-    using registers = sim::image<atv28::device>;
+    using registers = detail::image<atv28::device>;
     registers image;
     image.put_word(registers::nowhere, 5);
     CHECK(image.get(registers::nowhere) == 0);
@@ -191,27 +191,27 @@ TEST_CASE("the place of no register takes nothing and gives 0")
 
 TEST_CASE("settings that a drive never has give no division by zero")
 {
-    sim::image<atv320::device> image;
-    sim::parameters<atv320::device> const set{image};
-    image.put(sim::image<atv320::device>::at("FRS"), 0);
+    detail::image<atv320::device> image;
+    detail::parameters<atv320::device> const set{image};
+    image.put(detail::image<atv320::device>::at("FRS"), 0);
     CHECK(set.motor().rated_frequency == 50'000);
-    image.put(sim::image<atv320::device>::at("NSP"), 30'000);
+    image.put(detail::image<atv320::device>::at("NSP"), 30'000);
     CHECK(set.to_rpm(50'000) == 3'000);
-    sim::image<atv28::device> old;
-    old.put(sim::image<atv28::device>::at("SDS"), 0);
-    CHECK(sim::parameters<atv28::device>{old}.to_millihertz(1'500) == 0);
+    detail::image<atv28::device> old;
+    old.put(detail::image<atv28::device>::at("SDS"), 0);
+    CHECK(detail::parameters<atv28::device>{old}.to_millihertz(1'500) == 0);
 }
 
 TEST_CASE("bits beyond the end of a waveform are idle, and cannot be changed")
 {
-    sim::waveform wave;
-    wave.flip(sim::waveform::capacity);
-    wave.lay(sim::waveform::capacity - 8, 0, 16);
+    detail::waveform wave;
+    wave.flip(detail::waveform::capacity);
+    wave.lay(detail::waveform::capacity - 8, 0, 16);
     CHECK(wave.size() == 0);
-    CHECK(wave.bits_from(sim::waveform::capacity) == 0xFFFF);
-    wave.flip(sim::waveform::capacity - 1);
-    CHECK(wave.bits_from(sim::waveform::capacity - 1) == 0xFFFE);
-    CHECK(wave.size() == sim::waveform::capacity);
+    CHECK(wave.bits_from(detail::waveform::capacity) == 0xFFFF);
+    wave.flip(detail::waveform::capacity - 1);
+    CHECK(wave.bits_from(detail::waveform::capacity - 1) == 0xFFFE);
+    CHECK(wave.size() == detail::waveform::capacity);
 }
 
 TEST_CASE("a scanner drops what its target would refuse")

@@ -19,7 +19,7 @@ namespace {
 /// A drive and its clock; a word written or read at a time.
 template <typename Device> struct bench {
     instant now{0xFFFF'0000};
-    sim::drive<Device> drive{now};
+    detail::simulated_drive<Device> drive{now};
 
     constexpr bench() { wait(10); }
 

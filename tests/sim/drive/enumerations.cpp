@@ -21,7 +21,7 @@ namespace {
 /// The words that a standing drive takes at an address; all others must be exception 03.
 template <typename Device> std::vector<std::uint32_t> taken_at(std::uint16_t address)
 {
-    sim::drive<Device> drive{instant{0}};
+    detail::simulated_drive<Device> drive{instant{0}};
     std::vector<std::uint32_t> taken;
     std::size_t refused = 0;
     for (std::uint32_t word = 0; word < 0x1'0000; ++word) {
@@ -84,7 +84,7 @@ TEST_CASE("an enumeration takes what its manual lists, and all of it")
 
 TEST_CASE("a scanner word does not carry a meaningless word to an enumeration, either")
 {
-    sim::drive<atv320::device> drive{instant{0}};
+    detail::simulated_drive<atv320::device> drive{instant{0}};
     auto const tell = [&](std::uint16_t address, std::uint16_t word) {
         register_block const value{word};
         REQUIRE(drive.check_write(address, value) == errc::none);

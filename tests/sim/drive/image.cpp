@@ -35,14 +35,14 @@ struct machine {
     static constexpr std::array<address_range, 0> readable{};
     using registers = table<trim, offset, at_least, base, times, share, product>;
 };
-using image = sim::image<machine>;
+using machine_image = detail::image<machine>;
 
 /// Whether a register takes exactly the raw counts from `least` to `most`, among those beside both.
-bool is_range_of(image const& held, literal code, std::int32_t least, std::int32_t most)
+bool is_range_of(machine_image const& held, literal code, std::int32_t least, std::int32_t most)
 {
     bool ok = true;
     for (std::int32_t const raw : {least - 1, least, least + 1, most - 1, most, most + 1}) {
-        bool const is_taken = held.check(image::at(code), static_cast<std::uint16_t>(raw)) == errc::none;
+        bool const is_taken = held.check(machine_image::at(code), static_cast<std::uint16_t>(raw)) == errc::none;
         ok = ok and is_taken == (raw >= least and raw <= most);
     }
     return ok;
@@ -52,29 +52,29 @@ bool is_range_of(image const& held, literal code, std::int32_t least, std::int32
 
 TEST_CASE("a register without limits takes every word")
 {
-    image const held;
+    machine_image const held;
     for (std::uint32_t word = 0; word <= 0xFFFF; ++word) {
-        REQUIRE(held.check(image::at("TRIM"), static_cast<std::uint16_t>(word)) == errc::none);
+        REQUIRE(held.check(machine_image::at("TRIM"), static_cast<std::uint16_t>(word)) == errc::none);
     }
 }
 
 TEST_CASE("limits that are numbers, of both signs and on one side alone")
 {
-    image const held;
+    machine_image const held;
     CHECK(is_range_of(held, "OFS", -100, 100));
-    CHECK(held.check(image::at("LEAST"), 6) == errc::illegal_data_value);
-    CHECK(held.check(image::at("LEAST"), 7) == errc::none);
-    CHECK(held.check(image::at("LEAST"), 0xFFFF) == errc::none);
+    CHECK(held.check(machine_image::at("LEAST"), 6) == errc::illegal_data_value);
+    CHECK(held.check(machine_image::at("LEAST"), 7) == errc::none);
+    CHECK(held.check(machine_image::at("LEAST"), 0xFFFF) == errc::none);
 }
 
 TEST_CASE("limits that hang on other registers follow them")
 {
-    image held;
+    machine_image held;
     CHECK(is_range_of(held, "SHARE", 250, 500));
     CHECK(is_range_of(held, "PROD", 0, 1'500));
-    held.put(image::at("BASE"), 100);
+    held.put(machine_image::at("BASE"), 100);
     CHECK(is_range_of(held, "SHARE", 50, 100));
     CHECK(is_range_of(held, "PROD", 0, 300));
-    held.put(image::at("TIMES"), 25);
+    held.put(machine_image::at("TIMES"), 25);
     CHECK(is_range_of(held, "PROD", 0, 250));
 }

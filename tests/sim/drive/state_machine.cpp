@@ -107,7 +107,7 @@ bool is_for(only drives, state_machine_options const& options)
     return true;
 }
 
-void happen(sim::state_machine& machine, event what)
+void happen(detail::state_machine& machine, event what)
 {
     switch (what) {
     case event::power_up: return machine.power_up();
@@ -125,7 +125,7 @@ void happen(sim::state_machine& machine, event what)
     }
 }
 
-place place_of(sim::state_machine const& machine)
+place place_of(detail::state_machine const& machine)
 {
     switch (machine.state()) {
     case state::switch_on_disabled: return place::disabled;
@@ -142,9 +142,9 @@ place place_of(sim::state_machine const& machine)
 }
 
 /// A machine in a state, by the shortest way from power-up.
-sim::state_machine machine_in(place wanted, state_machine_options const& options)
+detail::state_machine machine_in(place wanted, state_machine_options const& options)
 {
-    sim::state_machine machine{options};
+    detail::state_machine machine{options};
     auto const walk = [&](auto... steps) { (happen(machine, steps), ...); };
     machine.power_up();
     switch (wanted) {
@@ -184,7 +184,7 @@ TEST_CASE("every event in every state of the simulated drive does what its table
             for (event const what : events) {
                 INFO("kind " << kind << ", state " << int(from) << ", event " << int(what));
                 row const expected = row_for(from, what, options);
-                sim::state_machine machine = machine_in(from, options);
+                detail::state_machine machine = machine_in(from, options);
                 REQUIRE(place_of(machine) == from);
                 transition const before = machine.last();
                 happen(machine, what);
@@ -197,11 +197,11 @@ TEST_CASE("every event in every state of the simulated drive does what its table
 
 TEST_CASE("a drive without 3B takes 3 and 4, and a trip remembers a quick stop")
 {
-    sim::state_machine machine = machine_in(place::ready, {});
+    detail::state_machine machine = machine_in(place::ready, {});
     happen(machine, event::enable);
     CHECK((machine.taken() & 1U << unsigned(transition::t3)) != 0);
     for (place const from : {place::operation, place::quick_stop}) {
-        sim::state_machine tripped = machine_in(from, {});
+        detail::state_machine tripped = machine_in(from, {});
         tripped.trip();
         CHECK(tripped.tripped_in_quick_stop() == (from == place::quick_stop));
     }

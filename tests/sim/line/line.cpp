@@ -13,7 +13,7 @@
 
 using namespace rtuwire;
 using namespace rtuwire::detail;
-using sim::character;
+using detail::character;
 using sim::line_faults;
 
 namespace {
@@ -67,8 +67,8 @@ unsigned whole_with(std::uint32_t line_faults::*fault, std::uint32_t chance, uns
 constexpr bool keeps_every_byte(character_format format)
 {
     for (std::uint32_t byte = 0; byte < 256; ++byte) {
-        std::uint32_t const bits = sim::character_bits(format, to_byte(byte));
-        auto const got = sim::receive_character(format, bits);
+        std::uint32_t const bits = detail::character_bits(format, to_byte(byte));
+        auto const got = detail::receive_character(format, bits);
         if (got.byte != to_byte(byte) or got.is_damaged) {
             return false;
         }
@@ -84,9 +84,9 @@ PROOF("every byte survives its bits", keeps_every_byte_in_every_format)
 
 constexpr bool sees_one_wrong_bit()
 {
-    std::uint32_t const bits = sim::character_bits(character_format::even_8_1, std::byte{0x5A});
+    std::uint32_t const bits = detail::character_bits(character_format::even_8_1, std::byte{0x5A});
     for (unsigned bit = 1; bit < 11; ++bit) {
-        if (not sim::receive_character(character_format::even_8_1, bits ^ (1U << bit)).is_damaged) {
+        if (not detail::receive_character(character_format::even_8_1, bits ^ (1U << bit)).is_damaged) {
             return false;
         }
     }

@@ -94,7 +94,7 @@ int main(int argc, char** argv)
     using traced_client = client::traced_by<told_and_kept>;
     using unit = test::slow_unit<told_and_kept>;
     client_options const options{.response_timeout = milliseconds(30), .late_response = milliseconds(5), .retries = 1};
-    sim::basic_bench<traced_client, sim::line, unit, unit> bench{
+    detail::basic_bench<traced_client, sim::line, unit, unit> bench{
         timing, wire, traced_client{timing, options}, unit{unit_id{7}, timing, seed, is_client ? nobody : traced},
         unit{unit_id{8}, timing, seed + 1, nobody}};
     bench.link().trace_to(is_client ? traced : nobody);

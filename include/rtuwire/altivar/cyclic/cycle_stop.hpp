@@ -85,7 +85,7 @@ private:
     constexpr std::uint16_t word_with_power(cycle_sight const& seen) const noexcept
     {
         if (is_halting(seen)) {
-            return cia402::word_of(cia402::command::enable_operation) | cia402::halt_bit;
+            return cia402::word_of(cia402::command::enable_operation) | detail::halt_bit;
         }
         bool const stands = seen.stands() and not seen.has_enabled();
         if (stands or (is_under_way_ and how_ == stop_by::freewheel)) {

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] constexpr bool is_under_way() const noexcept { return step_ != 0; }
     [[nodiscard]] constexpr std::uint16_t word() noexcept
     {
-        std::uint16_t const word = step_ == 2 ? cia402::fault_reset_bit : std::uint16_t{0};
+        std::uint16_t const word = step_ == 2 ? detail::fault_reset_bit : std::uint16_t{0};
         step_ = step_ == 3 ? std::uint8_t{0} : static_cast<std::uint8_t>(step_ + 1);
         return word;
     }
@@ -63,7 +63,7 @@ public:
         if (not is_ordered_) {
             is_ordered_ = true;
             was_told_to_run_ = false;
-            highest_ = cia402::enable_rank(state());
+            highest_ = detail::enable_rank(state());
             had_stop_key_ = sight_.shows_stop_key();
         }
         return true;
@@ -108,7 +108,7 @@ public:
         if (not sight_.is_remote()) {
             return drop(outcome_kind::local_control);
         }
-        int const rank = cia402::enable_rank(state());
+        int const rank = detail::enable_rank(state());
         bool const shows_stop_key = sight_.shows_stop_key();
         if (is_ordered_ and shows_stop_key and not had_stop_key_) {
             return drop(outcome_kind::stop_key);
@@ -209,7 +209,7 @@ public:
     {
         bool const is_low =
             state() == cia402::state::switch_on_disabled or state() == cia402::state::ready_to_switch_on;
-        return is_ordered_ and is_low and word == cia402::word_of(cia402::next_command_to_enable(state()));
+        return is_ordered_ and is_low and word == cia402::word_of(detail::next_command_to_enable(state()));
     }
 
     /// Whether the drive has power, or may have, and no order to run.
@@ -250,7 +250,7 @@ private:
     constexpr std::uint16_t next_step() noexcept
     {
         cia402::command next =
-            is_running() ? cia402::command::enable_operation : cia402::next_command_to_enable(state());
+            is_running() ? cia402::command::enable_operation : detail::next_command_to_enable(state());
         if (state() == cia402::state::switched_on and not has_switched_on_) {
             next = cia402::command::switch_on;
         }

@@ -69,7 +69,7 @@ struct drive_layout {
     bool shows_forced_local_only{false};            ///< status bit 9 stays 1 for another channel in command
     bool falls_back_when_configured{true};          ///< from "switched on", by transition 10
     bool shows_eeprom_access{true};                 ///< ETI bit 0 is 1 while it saves
-    std::uint16_t halt{cia402::halt_bit};           ///< or-ed to the control word; 0: has no halt
+    std::uint16_t halt{detail::halt_bit};           ///< or-ed to the control word; 0: has no halt
     std::uint16_t dc_injection{0};                  ///< the control word for it; 0: has none
     std::uint16_t direct_control{0};                ///< the bit of its direct control words; 0: has none
     duration longest_silence{milliseconds(30'000)}; ///< without a request until it trips; the most that can be set

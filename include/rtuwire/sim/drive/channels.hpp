@@ -3,7 +3,6 @@
 //
 // The channels from which a drive takes its commands: its link, which it supervises, its logic inputs, its keypad. Knows
 // no registers.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +13,7 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// The logic inputs of a drive, LI1 first.
 class logic_inputs {
@@ -116,6 +115,6 @@ private:
     bool is_armed_{false};
 };
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

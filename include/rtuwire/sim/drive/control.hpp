@@ -3,7 +3,6 @@
 //
 // Which channel commands a simulated drive and what the command words did: its state machine, the edges of the words,
 // direct control, the keys on the drive, the fault. Knows neither registers nor a motor.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +15,7 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// How a motor is stopped; `as_set` is the setting of the register STT.
 enum class stopping : std::uint8_t { none, ramp, fast, freewheel, injection, as_set };
@@ -64,7 +63,7 @@ public:
         : layout_{&layout}, state_machine_{layout.state_machine}
     {}
 
-    [[nodiscard]] constexpr sim::state_machine const& state_machine() const noexcept { return state_machine_; }
+    [[nodiscard]] constexpr detail::state_machine const& state_machine() const noexcept { return state_machine_; }
 
     /// LFT of the present fault; 0 for none.
     [[nodiscard]] constexpr std::uint16_t fault() const noexcept { return fault_; }
@@ -219,7 +218,7 @@ private:
     /// In a fault only the edge of bit 7 has an effect, in words of any kind.
     constexpr bool reset_by(std::uint16_t before, std::uint16_t word) noexcept
     {
-        if (state_machine_.state() != cia402::state::fault or not cia402::is_reset_edge(before, word)) {
+        if (state_machine_.state() != cia402::state::fault or not is_reset_edge(before, word)) {
             return false;
         }
         state_machine_.apply(cia402::command::fault_reset, not has_cause_);
@@ -235,7 +234,7 @@ private:
         } else if (is_direct(word, *layout_)) {
             is_direct_run(word) ? state_machine_.enable_directly() : state_machine_.fall_back();
         } else {
-            state_machine_.apply(cia402::recognise(word), false);
+            state_machine_.apply(command_in(word), false);
         }
     }
 
@@ -249,7 +248,7 @@ private:
     }
 
     altivar::drive_layout const* layout_;
-    sim::state_machine state_machine_;
+    detail::state_machine state_machine_;
     command_source source_{};
     std::uint16_t last_command_{0};
     std::uint16_t fault_{0};
@@ -259,6 +258,6 @@ private:
     bool is_stopped_by_key_{false};
 };
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

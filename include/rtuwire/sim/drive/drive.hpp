@@ -4,7 +4,6 @@
 // A simulated Altivar: the registers of a whole device as a bank for a server, a state machine, a motor on a ramp, a
 // supervised link, a scanner, faults, local control and an EEPROM. Time passes only in `advance`. Modelled on the
 // manuals; what they do not print of a real drive is missing.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -32,11 +31,11 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// One simulated drive; a register bank. Call `advance` in each pass before the bank is served, and
 /// `note_contact` for each request to this unit.
-template <device_type Device> class drive {
+template <device_type Device> class simulated_drive {
     using registers = image<Device>;
     static constexpr altivar::drive_layout const& layout = Device::layout;
     static constexpr altivar::simulated_behaviour const& behaviour = altivar::behaviour_of<Device>;
@@ -48,7 +47,7 @@ template <device_type Device> class drive {
 
 public:
     /// Powered up at `now`, commissioned: Modbus commands it, and it has a unit address.
-    explicit constexpr drive(instant power_on, std::uint16_t address = 1) noexcept
+    explicit constexpr simulated_drive(instant power_on, std::uint16_t address = 1) noexcept
     {
         memory_.commission(registers_, address);
         power_up(power_on);
@@ -58,7 +57,7 @@ public:
     constexpr void advance(instant now) noexcept
     {
         duration const passed = now - now_;
-        memory_.advance(detail::within_reach(now_, now));
+        memory_.advance(within_reach(now_, now));
         now_ = now;
         control_.initialised();
         turn(passed);
@@ -189,11 +188,11 @@ public:
     /// Rate and format of the line as they are in effect, as values of its registers.
     [[nodiscard]] constexpr line_setting line() const noexcept { return line_; }
 
-    [[nodiscard]] constexpr sim::state_machine const& state_machine() const noexcept
+    [[nodiscard]] constexpr detail::state_machine const& state_machine() const noexcept
     {
         return control_.state_machine();
     }
-    [[nodiscard]] constexpr sim::motor const& motor() const noexcept { return motor_; }
+    [[nodiscard]] constexpr detail::motor const& motor() const noexcept { return motor_; }
     [[nodiscard]] constexpr std::uint16_t fault() const noexcept { return control_.fault(); }
 
 private:
@@ -313,7 +312,7 @@ private:
     {
         now_ = now;
         control_.power_up();
-        motor_ = sim::motor{};
+        motor_ = detail::motor{};
         link_watchdog_ = link_watchdog{};
         line_ = set().line();
         arrange();
@@ -339,7 +338,7 @@ private:
 
     constexpr parameters<Device> set() const noexcept { return parameters<Device>{registers_}; }
 
-    constexpr sim::demand<Device> demand() const noexcept
+    constexpr detail::demand<Device> demand() const noexcept
     {
         return {registers_, control_, analog_, link_watchdog_.has_lost()};
     }
@@ -354,7 +353,7 @@ private:
 
     constexpr void update_status() noexcept
     {
-        sim::demand<Device> const now = demand();
+        detail::demand<Device> const now = demand();
         bool const has_power = cia402::has_power(state_machine().state());
         bool const is_by_link = control_.is_by_link();
         appearance const seen{.state = state_machine().state(),
@@ -381,7 +380,7 @@ private:
         if (how == loss_reaction::stop_without_fault) {
             control_.abandon();
         } else if (is_fault(how)) {
-            trip(link_fault);
+            trip(sim::link_fault);
             if (set().restarts_by_itself() and not behaviour.forgets_orders_on_loss) {
                 return;
             }
@@ -397,7 +396,7 @@ private:
     /// Restarts as ATR sets it once the link is back. Of the faults that ATR restarts after, this is the only one.
     constexpr void restart_by_itself() noexcept
     {
-        if (set().restarts_by_itself() and fault() == link_fault and link_watchdog_.is_back(now_)) {
+        if (set().restarts_by_itself() and fault() == sim::link_fault and link_watchdog_.is_back(now_)) {
             control_.restart();
         }
     }
@@ -414,7 +413,7 @@ private:
     memory<Device> memory_{};
     fault_record<Device> faults_{};
     control control_{layout}; ///< the state, and which channel commands
-    sim::motor motor_{};
+    detail::motor motor_{};
     link_watchdog link_watchdog_{};
     logic_inputs terminals_{};
     line_setting line_{}; ///< in effect
@@ -422,6 +421,6 @@ private:
     std::int32_t analog_{0}; ///< the reference at the terminals, in mHz
 };
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

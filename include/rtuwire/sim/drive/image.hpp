@@ -4,7 +4,6 @@
 // The registers of a whole device as words: found by address for the line, by mnemonic for the model. Checks the values
 // that each may hold, including limits that depend on other registers; knows what its scanner's words stand for, which
 // registers are orders, and where those are that the simulated drive reads or shows.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -25,14 +24,13 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// The words of all registers of a device, initially as commissioned.
 template <device_type Device> class image {
     using rules = rules_of<typename Device::registers>;
-    static constexpr detail::key_index<literal, rules::count> by_code{each_of(rules::list, &register_rule::code)};
-    static constexpr detail::key_index<std::uint16_t, rules::count> by_address{
-        each_of(rules::list, &register_rule::address)};
+    static constexpr key_index<literal, rules::count> by_code{each_of(rules::list, &register_rule::code)};
+    static constexpr key_index<std::uint16_t, rules::count> by_address{each_of(rules::list, &register_rule::address)};
 
 public:
     /// The place of no register. A word stored there is lost, and it reads 0.
@@ -92,7 +90,7 @@ public:
         std::int32_t const raw = known.is_signed ? std::int32_t{static_cast<std::int16_t>(word)} : std::int32_t{word};
         bool const is_inside =
             (known.min.is_open() or raw >= limit(known.min)) and (known.max.is_open() or raw <= limit(known.max));
-        bool const is_right = is_inside and not known.gap.contains(raw) and detail::has_meaning(known.listed, word);
+        bool const is_right = is_inside and not known.gap.contains(raw) and has_meaning(known.listed, word);
         return is_right ? errc::none : errc::illegal_data_value;
     }
 
@@ -320,6 +318,6 @@ private:
     }
 };
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -18,10 +18,9 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// The EEPROM: what is kept without power, and the orders of CMI that save and restore it, which take time.
-/// Internal.
 template <device_type Device> class memory {
     using registers = image<Device>;
     static constexpr register_index<Device> at{};
@@ -88,12 +87,19 @@ private:
     bool is_busy_{false};
 };
 
+} // namespace detail
+
+namespace sim {
+
 /// LFT of a lost serial link, on every Altivar.
 inline constexpr std::uint16_t link_fault = 5;
 
+} // namespace sim
+
+namespace detail {
+
 /// One fault: its LFT, its number in the drive profile (ERRD), its bit in DF1 or DF2 where a
 /// drive has them.
-/// Internal.
 struct fault_form {
     std::uint16_t code;
     std::uint16_t profile;
@@ -102,7 +108,6 @@ struct fault_form {
 };
 
 /// As the bulletin of the drive with ERRD lists them; SCF and tnF have no number of their own there.
-/// Internal.
 inline constexpr std::array<fault_form, 13> fault_forms{{
     {1, 0x6100, 0x0001, 0x0000},
     {2, 0x5520, 0x0008, 0x0000},
@@ -120,8 +125,7 @@ inline constexpr std::array<fault_form, 13> fault_forms{{
 }};
 
 /// The entry for a fault by its LFT: a generic error for one that the list does not have, an empty one for 0.
-/// Internal.
-[[nodiscard]] constexpr fault_form form_of(std::uint16_t code) noexcept
+[[nodiscard]] constexpr fault_form fault_form_of(std::uint16_t code) noexcept
 {
     for (fault_form const& each : fault_forms) {
         if (each.code == code) {
@@ -133,7 +137,6 @@ inline constexpr std::array<fault_form, 13> fault_forms{{
 }
 
 /// A register that shows a value, and the first of those that keep it as it was at the last faults, the most recent first.
-/// Internal.
 struct kept_value {
     std::uint16_t first;
     literal source;
@@ -141,7 +144,6 @@ struct kept_value {
 
 /// As the public lists of ATV12 and ATV320 name them; an ATV12 has fewer, and none of the moment of the most recent fault but
 /// its state.
-/// Internal.
 inline constexpr std::array<kept_value, 12> kept_values{{
     {7210, "ETA"},
     {7220, "ETI"},
@@ -158,7 +160,6 @@ inline constexpr std::array<kept_value, 12> kept_values{{
 }};
 
 /// The registers that keep a drive's last faults, each with its moment.
-/// Internal.
 template <device_type Device> class fault_record {
     using registers = image<Device>;
     static constexpr std::size_t nowhere = registers::nowhere;
@@ -180,7 +181,7 @@ public:
         all.put(codes[0], code);
         all.put(count, std::int64_t{all.get(count)} + 1);
         all.put(register_index<Device>{}.lft, code);
-        all.put(registers::at("ERRD"), form_of(code).profile);
+        all.put(registers::at("ERRD"), fault_form_of(code).profile);
         if constexpr (is_whole<Device>) {
             keep_moment(all);
         }
@@ -236,14 +237,13 @@ private:
 };
 
 /// Shows the present fault; 0 for none.
-/// Internal.
 template <device_type Device> constexpr void show_active_fault(image<Device>& registers, std::uint16_t code) noexcept
 {
-    fault_form const form = form_of(code);
+    fault_form const form = fault_form_of(code);
     registers.put(image<Device>::at("DF1"), form.df1);
     registers.put(image<Device>::at("DF2"), form.df2);
 }
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -3,7 +3,6 @@
 //
 // A motor on a ramp: its frequency in millihertz, its current and its thermal state. Plausible, not exact; integers
 // only, and any step of time is one calculation.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,7 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// The settings of the ramp and the load.
 struct motor_settings {
@@ -137,6 +136,6 @@ private:
     std::int8_t trend_{0};
 };
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

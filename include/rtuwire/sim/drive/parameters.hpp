@@ -3,7 +3,6 @@
 //
 // What the words of a drive's settings mean to its model: ramps, speed limits, the motor's nameplate, the supervision of
 // the link, the channels of command and reference; and what they demand of the motor, together with the commands.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +20,7 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// The reactions to a lost link, by the values of SLL. With 1, and from 6 on, the drive trips; with 4 it continues at
 /// a speed that no available table has, 0 as delivered.
@@ -255,7 +254,7 @@ private:
     /// A fault removes the torque, unless it is a lost link with another reaction in SLL.
     constexpr stopping how_a_fault_stops() const noexcept
     {
-        if (commands_.fault() != link_fault) {
+        if (commands_.fault() != sim::link_fault) {
             return stopping::freewheel;
         }
         switch (set().reaction_to_loss()) {
@@ -294,6 +293,6 @@ constexpr void drive_motor(motor& shaft, demand<Device> const& asked, bool has_p
     }
 }
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

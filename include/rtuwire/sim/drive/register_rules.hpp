@@ -4,7 +4,6 @@
 // What a simulated drive knows of each of its registers: made of the descriptors in its table, or of the rows of all
 // parameters. With what a register holds as delivered, where its table does not say, and after commissioning: a small
 // motor of 1 500 rpm at 50 Hz, on ramps of three seconds. Assumed numbers, plausible for each drive.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -21,7 +20,7 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// The raw count of a register as delivered.
 struct factory_value {
@@ -50,12 +49,12 @@ inline constexpr std::array<factory_value, 4> commissioned_values{{
 }};
 
 /// Words that are orders, not settings: they are neither saved nor restored, and lost at power-off.
-inline constexpr std::array<literal, 17> orders{"CMD", "CMDD", "LFR", "LFRD", "CMI", "PISP", "RPI", "IOLR", "AOR",
-                                                "NC1", "NC2",  "NC3", "NC4",  "NC5", "NC6",  "NC7", "NC8"};
+inline constexpr std::array<literal, 17> order_codes{"CMD", "CMDD", "LFR", "LFRD", "CMI", "PISP", "RPI", "IOLR", "AOR",
+                                                     "NC1", "NC2",  "NC3", "NC4",  "NC5", "NC6",  "NC7", "NC8"};
 
 [[nodiscard]] constexpr bool is_order(literal code) noexcept
 {
-    for (literal const each : orders) {
+    for (literal const each : order_codes) {
         if (each == code) {
             return true;
         }
@@ -65,8 +64,8 @@ inline constexpr std::array<literal, 17> orders{"CMD", "CMDD", "LFR", "LFRD", "C
 
 /// The value in a list for a register called `code`; else `other`.
 template <std::size_t Count>
-[[nodiscard]] constexpr std::uint16_t value_in(std::array<factory_value, Count> const& list, literal code,
-                                               std::uint16_t other) noexcept
+[[nodiscard]] constexpr std::uint16_t raw_in(std::array<factory_value, Count> const& list, literal code,
+                                             std::uint16_t other) noexcept
 {
     for (factory_value const& each : list) {
         if (each.code == code) {
@@ -145,13 +144,13 @@ struct register_rule {
     bool is_order;                         ///< no setting
     std::int32_t steps_per_unit;           ///< 10 where it counts tenths; 1 where it is no quantity
     std::span<std::uint16_t const> listed; ///< the words that mean something, of an enumeration
-    detail::count_range gap;               ///< raw counts that it does not take
+    count_range gap;                       ///< raw counts that it does not take
 };
 
 /// How many steps of a register make one whole unit.
 template <auto const& R> [[nodiscard]] constexpr std::int32_t steps_per_unit() noexcept
 {
-    if constexpr (detail::register_quantity<value_of<R>>) {
+    if constexpr (register_quantity<value_of<R>>) {
         using scale = typename value_of<R>::scale;
         return static_cast<std::int32_t>(scale::den / scale::num);
     } else {
@@ -162,18 +161,17 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t steps_per_unit() n
 /// The value as delivered: from the table, or else from `factory_values`.
 template <auto const& R> [[nodiscard]] constexpr std::uint16_t delivered() noexcept
 {
-    return R.factory ? static_cast<std::uint16_t>(*R.factory) : value_in(factory_values, R.code, 0);
+    return R.factory ? static_cast<std::uint16_t>(*R.factory) : raw_in(factory_values, R.code, 0);
 }
 
 /// The rules of a table's registers, in its order.
 template <typename Table> struct rules_of;
 template <auto const&... Registers> struct rules_of<table<Registers...>> {
     static constexpr std::size_t count = sizeof...(Registers);
-    static constexpr std::array<register_rule, count> list{
-        register_rule{Registers.code, Registers.address, Registers.mode, lowest<Registers>() < 0, Registers.min,
-                      Registers.max, delivered<Registers>(),
-                      value_in(commissioned_values, Registers.code, delivered<Registers>()), is_order(Registers.code),
-                      steps_per_unit<Registers>(), detail::listed_words<value_of<Registers>>(), Registers.gap}...};
+    static constexpr std::array<register_rule, count> list{register_rule{
+        Registers.code, Registers.address, Registers.mode, lowest<Registers>() < 0, Registers.min, Registers.max,
+        delivered<Registers>(), raw_in(commissioned_values, Registers.code, delivered<Registers>()),
+        is_order(Registers.code), steps_per_unit<Registers>(), listed_words<value_of<Registers>>(), Registers.gap}...};
 };
 
 // A drive with all its parameters: its rules are made of their rows, in one loop over plain data. A template for each of a
@@ -212,7 +210,7 @@ template <typename Row> [[nodiscard]] constexpr std::uint16_t delivered_by(Row c
         return static_cast<std::uint16_t>(*row.factory);
     }
     std::uint16_t const nearest = nearest_to_zero(row);
-    std::uint16_t const usual = value_in(factory_values, row.code, nearest);
+    std::uint16_t const usual = raw_in(factory_values, row.code, nearest);
     return row.takes(row.count_of(usual)) ? usual : nearest;
 }
 
@@ -234,14 +232,14 @@ template <typename Row> [[nodiscard]] constexpr register_rule rule_of_row(Row co
             row.address,
             row.mode,
             has_signed_type and not is_never_negative,
-            is_limit and not row.min.is_number() ? detail::open_bound : row.min,
-            is_limit and not row.max.is_number() ? detail::open_bound : row.max,
+            is_limit and not row.min.is_number() ? open_bound : row.min,
+            is_limit and not row.max.is_number() ? open_bound : row.max,
             factory,
-            value_in(commissioned_values, row.code, factory),
+            raw_in(commissioned_values, row.code, factory),
             is_order_in_menu(row.code),
             steps_per_unit_of(row),
             row.type->listed,
-            detail::no_gap};
+            no_gap};
 }
 
 /// The rules of all parameters, group by group.
@@ -267,6 +265,6 @@ template <typename Value, std::size_t Count>
     return all;
 }
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

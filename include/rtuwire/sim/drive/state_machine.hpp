@@ -18,7 +18,6 @@
 //   fault                  fault reset, once the cause is gone    -> switch on disabled          15
 //   any but a fault and
 //   not ready to switch on enable_directly                        -> operation enabled           -
-// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +27,7 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// A state machine that follows commands.
 class state_machine {
@@ -141,6 +140,6 @@ private:
     bool tripped_in_quick_stop_{false};
 };
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -3,7 +3,6 @@
 //
 // The contents of a simulated drive's monitoring registers: one function for each word, of a drive as it is at one
 // moment. Apart from the drive, of which they know no more than that.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +19,7 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// A drive at one moment, as its registers report it.
 struct appearance {
@@ -43,10 +42,10 @@ struct appearance {
 [[nodiscard]] constexpr std::uint16_t status_word_of(appearance const& seen, motor const& shaft,
                                                      altivar::drive_layout const& layout) noexcept
 {
-    std::uint32_t word = cia402::status_bits(seen.state);
+    std::uint32_t word = status_bits(seen.state);
     bool const is_reached = shaft.frequency() == seen.target;
     if (cia402::is_in_fault(seen.state) and seen.tripped_in_quick_stop) {
-        word &= ~std::uint32_t{cia402::no_quick_stop_bit};
+        word &= ~std::uint32_t{no_quick_stop_bit};
     }
     word |= layout.mains_bit_is_inverted ? 0U : 0x10U;
     word |= seen.is_local ? 0U : altivar::remote_bit;
@@ -154,6 +153,6 @@ constexpr void show_inputs(image<Device>& registers, logic_inputs const& termina
     registers.put(at.inputs, (registers.get(at.inputs) & ~bits) | (terminals.image() & bits));
 }
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -18,13 +18,12 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 // The registers and facts without which a drive cannot be simulated. What a drive lacks is said in a sentence each; all
 // other registers may be there or not.
 
 /// Whether a drive has no register of this mnemonic. What is no drive is refused for that alone, see `drive_check`.
-/// Internal.
 template <typename Device> [[nodiscard]] constexpr bool lacks([[maybe_unused]] literal code) noexcept
 {
     if constexpr (altivar::drive_type<Device>) {
@@ -34,14 +33,12 @@ template <typename Device> [[nodiscard]] constexpr bool lacks([[maybe_unused]] l
     }
 }
 
-/// Internal.
 template <typename Device>
 concept names_itself =
-    not altivar::drive_type<Device> or not detail::implements<Device>(function_code::encapsulated_interface) or
+    not altivar::drive_type<Device> or not implements<Device>(function_code::encapsulated_interface) or
     std::convertible_to<decltype(Device::reference), literal>;
 
 /// Stops the compiler at a drive that cannot be simulated.
-/// Internal.
 template <typename Device> struct drive_needs {
     static_assert(not lacks<Device>("HSP"), "a simulated drive needs the register HSP, its highest frequency");
     static_assert(not lacks<Device>("ACC"), "a simulated drive needs the register ACC, its acceleration ramp");
@@ -56,10 +53,15 @@ template <typename Device> struct drive_needs {
     static constexpr bool met = true;
 };
 
-/// The vendor name of the drives, and their conformity level: regular identification, as a stream.
-inline constexpr literal maker{"Schneider Electric"};
-/// Internal.
+/// The conformity level of the drives: regular identification, as a stream.
 inline constexpr std::uint8_t printed_conformity = 0x02;
+
+} // namespace detail
+
+namespace sim {
+
+/// The vendor name of the drives.
+inline constexpr literal maker{"Schneider Electric"};
 
 /// The profile of a server with the functions and limits of a device and these objects; without function 43 the
 /// objects are left out.
@@ -67,7 +69,8 @@ template <device_type Device>
 [[nodiscard]] constexpr server_profile line_profile_with(device_objects const& objects) noexcept
 {
     bool const tells = Device::functions.contains(function_code::encapsulated_interface);
-    return {Device::functions, Device::limits, tells ? objects.with_conformity(printed_conformity) : device_objects{}};
+    return {Device::functions, Device::limits,
+            tells ? objects.with_conformity(detail::printed_conformity) : device_objects{}};
 }
 
 /// The profile of a device that identifies itself as its manual prints.
@@ -80,7 +83,7 @@ template <device_type Device> struct line_profile {
 /// A drive on a line. Call `receive`, `sent` and `advance` as for a server; then send what `poll_transmit` returns.
 template <device_type Device> class unit {
     static_assert(altivar::drive_check<Device>::passed);
-    static_assert(drive_needs<Device>::met);
+    static_assert(detail::drive_needs<Device>::met);
 
 public:
     constexpr unit(unit_id its_address, line_timing const& its_line, instant power_on) noexcept
@@ -122,8 +125,8 @@ public:
     /// The number of requests to it, including broadcasts.
     [[nodiscard]] constexpr std::uint32_t requests() const noexcept { return requests_; }
 
-    [[nodiscard]] constexpr sim::drive<Device>& drive() noexcept { return drive_; }
-    [[nodiscard]] constexpr sim::drive<Device> const& drive() const noexcept { return drive_; }
+    [[nodiscard]] constexpr detail::simulated_drive<Device>& drive() noexcept { return drive_; }
+    [[nodiscard]] constexpr detail::simulated_drive<Device> const& drive() const noexcept { return drive_; }
 
 private:
     static constexpr std::optional<unit_id> checked_unit(std::uint16_t number) noexcept
@@ -136,8 +139,8 @@ private:
     constexpr bool is_hearing() const noexcept { return not drive_.is_silent() and drive_.line() == line_; }
 
     server node_;
-    sim::drive<Device> drive_;
-    line_setting line_; ///< when it was connected
+    detail::simulated_drive<Device> drive_;
+    detail::line_setting line_; ///< when it was connected
     std::uint32_t requests_{0};
 };
 

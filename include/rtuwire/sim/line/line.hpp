@@ -19,19 +19,17 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 // One character on a wire: start bit, data, parity, stop. Bit 0 of a pattern comes first; idle is 1.
 
 /// A character as a receiver decodes it.
-/// Internal.
 struct received_byte {
     std::byte byte;
     bool is_damaged; ///< parity or framing error
 };
 
 /// The parity bit of a byte, 0 or 1; nothing where the format has none.
-/// Internal.
 [[nodiscard]] constexpr std::optional<std::uint32_t> parity_of(character_format format, std::uint8_t byte) noexcept
 {
     std::uint32_t const even = static_cast<std::uint32_t>(std::popcount(byte)) & 1U;
@@ -45,18 +43,15 @@ struct received_byte {
 }
 
 /// The bits of a byte, `bits_per_character` of them.
-/// Internal.
 [[nodiscard]] constexpr std::uint32_t character_bits(character_format format, std::byte byte) noexcept
 {
     constexpr std::uint32_t stop_bits = 0b11;
-    std::uint32_t const data = detail::to_u8(byte);
-    std::uint32_t const parity =
-        parity_of(format, detail::to_u8(byte)).value_or(1); // without parity the stop bit is there
+    std::uint32_t const data = to_u8(byte);
+    std::uint32_t const parity = parity_of(format, to_u8(byte)).value_or(1); // without parity the stop bit is there
     return data << 1U | parity << 9U | stop_bits << 10U;
 }
 
 /// Decodes the bits that begin with a start bit, as a receiver does.
-/// Internal.
 [[nodiscard]] constexpr received_byte receive_character(character_format format, std::uint32_t bits) noexcept
 {
     auto const byte = static_cast<std::uint8_t>(bits >> 1U);
@@ -64,11 +59,10 @@ struct received_byte {
     bool const is_parity_right = not parity or *parity == ((bits >> 9U) & 1U);
     std::uint32_t const stop_at = parity ? 10 : 9;
     bool const has_stop = ((bits >> stop_at) & 1U) != 0;
-    return {detail::to_byte(byte), not is_parity_right or not has_stop};
+    return {to_byte(byte), not is_parity_right or not has_stop};
 }
 
 /// The signal of one busy period, bit by bit: idle high, pulled low by any sender. Bits beyond its end are idle.
-/// Internal.
 class waveform {
 public:
     static constexpr std::size_t capacity = 16'384;
@@ -137,6 +131,20 @@ private:
     std::size_t size_{0};
 };
 
+/// A character as the receivers on the line get it.
+struct character {
+    std::byte byte;
+    bool is_damaged;      ///< a parity or framing error in the receiver
+    std::uint8_t senders; ///< a bit for each of the senders 0 to 7 that contributed to it
+    instant at;           ///< the end of its last stop bit
+
+    [[nodiscard]] constexpr bool is_from(unsigned sender) const noexcept { return ((senders >> sender) & 1U) != 0; }
+};
+
+} // namespace detail
+
+namespace sim {
+
 /// How often each fault occurs, in a million.
 struct line_faults {
     std::uint32_t bit_errors{0}; ///< bits that arrive inverted
@@ -149,17 +157,6 @@ struct line_faults {
     std::uint32_t glitches{0};   ///< frames before which a short low glitch appears
     duration delay{};
     bool is_cut{false}; ///< nothing arrives at all
-};
-
-/// A character as the receivers on the line get it.
-/// Internal.
-struct character {
-    std::byte byte;
-    bool is_damaged;      ///< a parity or framing error in the receiver
-    std::uint8_t senders; ///< a bit for each of the senders 0 to 7 that contributed to it
-    instant at;           ///< the end of its last stop bit
-
-    [[nodiscard]] constexpr bool is_from(unsigned sender) const noexcept { return ((senders >> sender) & 1U) != 0; }
 };
 
 /// The line. `transmit` puts frames on it, `receive` takes characters off it.
@@ -216,7 +213,7 @@ public:
     }
 
     /// The next character that has ended by `now`.
-    constexpr std::optional<character> receive(instant now) noexcept
+    constexpr std::optional<detail::character> receive(instant now) noexcept
     {
         if (not find_start()) {
             return std::nullopt;
@@ -226,10 +223,10 @@ public:
         if (not reached(now, end)) {
             return std::nullopt;
         }
-        received_byte const got = receive_character(format_, wave_.bits_from(cursor_));
+        detail::received_byte const got = detail::receive_character(format_, wave_.bits_from(cursor_));
         std::uint8_t const senders = senders_at(cursor_, cursor_ + length);
         cursor_ += length;
-        return character{got.byte, got.is_damaged, senders, end};
+        return detail::character{got.byte, got.is_damaged, senders, end};
     }
 
     /// When the next character has ended.
@@ -287,11 +284,11 @@ private:
         std::size_t const begin = place;
         for (std::byte const byte : bytes) {
             if (not random_.happens(faults.dropped)) {
-                wave_.lay(place, character_bits(format_, byte), detail::bits_per_character(format_));
+                wave_.lay(place, detail::character_bits(format_, byte), detail::bits_per_character(format_));
             }
             place += detail::bits_per_character(format_);
             if (random_.happens(faults.added)) {
-                wave_.lay(place, character_bits(format_, detail::to_byte(random_.next())),
+                wave_.lay(place, detail::character_bits(format_, detail::to_byte(random_.next())),
                           detail::bits_per_character(format_));
                 place += detail::bits_per_character(format_);
             }
@@ -348,10 +345,10 @@ private:
         return all;
     }
 
-    waveform wave_{};
+    detail::waveform wave_{};
     std::array<part, 8> parts_{};
     std::array<line_faults, max_senders> faults_{};
-    random_source random_;
+    detail::random_source random_;
     instant begin_{0};
     std::size_t cursor_{0};
     std::size_t next_part_{0};

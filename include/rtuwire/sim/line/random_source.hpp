@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Deterministic pseudo-random numbers: the same seed gives the same sequence. For simulations; not for secrets.
-// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +10,7 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace sim {
+namespace detail {
 
 /// A xorshift generator (Marsaglia 2003).
 class random_source {
@@ -48,6 +47,6 @@ private:
     std::uint64_t state_;
 };
 
-} // namespace sim
+} // namespace detail
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -26,7 +26,7 @@ template <typename Device> struct pair : test::simulated_bus<drive_client<4>, De
         this->add(unit_id{7});
         this->idle(milliseconds(20));
     }
-    sim::drive<Device>& far() { return this->test::simulated_bus<drive_client<4>, Device>::drive(0); }
+    detail::simulated_drive<Device>& far() { return this->test::simulated_bus<drive_client<4>, Device>::drive(0); }
     outcome_kind end_of(auto conversation)
     {
         CHECK(this->run(conversation));

@@ -30,7 +30,7 @@ template <typename Device> std::set<std::uint32_t> known_addresses()
 template <typename Device> void answers_for_these_addresses_alone()
 {
     auto const known = known_addresses<Device>();
-    sim::drive<Device> const drive{instant{0}};
+    detail::simulated_drive<Device> const drive{instant{0}};
     std::vector<std::uint32_t> wrong;
     for (std::uint32_t address = 0; address < 0x1'0000; ++address) {
         auto const place = static_cast<std::uint16_t>(address);
@@ -48,7 +48,7 @@ template <typename Device> void answers_for_these_addresses_alone()
 }
 
 /// The words beside a limit, as far as a word has them; `least` and `most` themselves are taken.
-template <typename Device> unsigned wrong_at_limits(sim::drive<Device> const& drive, test::fact const& of)
+template <typename Device> unsigned wrong_at_limits(detail::simulated_drive<Device> const& drive, test::fact const& of)
 {
     std::int32_t const floor = of.kind == "i16" ? -32'768 : 0;
     std::int32_t const ceiling = of.kind == "i16" ? 32'767 : 65'535;
@@ -79,7 +79,7 @@ bool is_limited_elsewhere(std::string const& code, bool is_atv12)
 
 template <typename Device> void keeps_limits()
 {
-    sim::drive<Device> const drive{instant{0}};
+    detail::simulated_drive<Device> const drive{instant{0}};
     unsigned tried = 0;
     for (test::fact const& each : test::facts_about<Device>()) {
         bool const is_atv12 = Device::name == literal{"atv12"};
@@ -120,7 +120,7 @@ errc expected(test::fact const& of, std::uint16_t word)
 
 template <typename Device> void takes_words_with_a_meaning()
 {
-    sim::drive<Device> const drive{instant{0}};
+    detail::simulated_drive<Device> const drive{instant{0}};
     unsigned tried = 0;
     for (test::fact const& each : test::facts_about<Device>()) {
         if (each.kind != "enum" or not each.is_writable() or each.values.empty()) {
@@ -140,7 +140,7 @@ template <typename Device> void takes_words_with_a_meaning()
 /// How many registers the lists let a client write, and the drive does not: those of which the lists tell too little.
 template <typename Device> unsigned only_read()
 {
-    sim::drive<Device> const drive{instant{0}};
+    detail::simulated_drive<Device> const drive{instant{0}};
     unsigned count = 0;
     for (test::fact const& each : test::facts_about<Device>()) {
         CAPTURE(each.code);

@@ -57,7 +57,7 @@ public:
         return held;
     }
 
-    sim::drive<Device>& drive() { return bench_.drive(); }
+    detail::simulated_drive<Device>& drive() { return bench_.drive(); }
 
 private:
     station<Device> station_{unit_id{7}};

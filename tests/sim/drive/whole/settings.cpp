@@ -15,7 +15,7 @@ using namespace rtuwire::altivar;
 namespace {
 
 /// A word of a drive by its address.
-template <typename Device> std::uint16_t word_at(sim::drive<Device>& drive, std::uint16_t address)
+template <typename Device> std::uint16_t word_at(detail::simulated_drive<Device>& drive, std::uint16_t address)
 {
     std::array<std::byte, 2> bytes{};
     byte_writer out{bytes};
@@ -204,7 +204,7 @@ TEST_CASE("ramps keep their counts when the size of their steps changes")
 
 TEST_CASE("the bit rate of a communication card is not that of the line")
 {
-    sim::drive<atv320::full_device> drive{instant{0}};
+    detail::simulated_drive<atv320::full_device> drive{instant{0}};
     CHECK(drive.line().rate == 32);
     register_block const rate{std::uint16_t{24}};
     REQUIRE(drive.check_write(6603, rate) == errc::none); // BDR

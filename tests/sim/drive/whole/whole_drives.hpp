@@ -56,7 +56,8 @@ inline bool tells_little(fact const& of)
 }
 
 /// Whether a standing drive takes a word.
-template <typename Device> errc told(sim::drive<Device> const& drive, std::uint16_t address, std::uint32_t word)
+template <typename Device>
+errc told(detail::simulated_drive<Device> const& drive, std::uint16_t address, std::uint32_t word)
 {
     register_block const value{static_cast<std::uint16_t>(word)};
     return drive.check_write(address, value);

@@ -260,7 +260,7 @@ private:
     /// CMD still held the 0000 written here: nobody commands it, and it had its power all the time.
     constexpr action run() noexcept
     {
-        rank_ = cia402::enable_rank(cia402::state::switch_on_disabled);
+        rank_ = detail::enable_rank(cia402::state::switch_on_disabled);
         action const next = write(stage::running, layout().cmd, direct_run);
         return std::exchange(may_run_, true) ? next : in_presence(next);
     }
@@ -275,8 +275,8 @@ private:
     constexpr action confirm(cia402::state at, std::uint16_t status) noexcept
     {
         if (at != cia402::state::operation_enabled) {
-            bool const has_fallen = cia402::enable_rank(at) < rank_;
-            rank_ = cia402::enable_rank(at);
+            bool const has_fallen = detail::enable_rank(at) < rank_;
+            rank_ = detail::enable_rank(at);
             if (has_fallen) {
                 return abort(outcome_kind::fell_back);
             }

@@ -82,7 +82,7 @@ private:
     constexpr action after_write() noexcept
     {
         if (stage_ == stage::low) {
-            return send_command(stage::high, cia402::fault_reset_bit);
+            return send_command(stage::high, detail::fault_reset_bit);
         }
         if (stage_ == stage::high) {
             return send_command(stage::low_again, 0);

@@ -81,12 +81,12 @@ public:
 private:
     static constexpr int rank_by(cia402::command sent) noexcept
     {
-        return cia402::enable_rank(sent == cia402::command::enable_operation ? cia402::state::operation_enabled
+        return detail::enable_rank(sent == cia402::command::enable_operation ? cia402::state::operation_enabled
                                    : sent == cia402::command::switch_on      ? cia402::state::switched_on
                                                                              : cia402::state::ready_to_switch_on);
     }
 
-    int explained_{cia402::enable_rank(cia402::state::switch_on_disabled)};
+    int explained_{detail::enable_rank(cia402::state::switch_on_disabled)};
     cia402::command last_{cia402::command::none};
     bool is_any_{false};
     bool is_taken_{false};
@@ -261,7 +261,7 @@ private:
         if ((status & remote_bit) == 0) {
             return abort(outcome_kind::local_control);
         }
-        int const rank = cia402::enable_rank(at), before = cia402::enable_rank(last_);
+        int const rank = detail::enable_rank(at), before = detail::enable_rank(last_);
         if (is_key_pressed(status)) {
             return abort(outcome_kind::stop_key);
         }
@@ -285,7 +285,7 @@ private:
         // The control word that is read back before enabling must be the one written here.
         cia402::command const next = is_ready and sent_.last() != cia402::command::switch_on
                                          ? cia402::command::switch_on
-                                         : cia402::next_command_to_enable(at);
+                                         : detail::next_command_to_enable(at);
         if (next == cia402::command::none or next == sent_.last()) {
             return to_pause(status_period);
         }
