@@ -31,7 +31,10 @@ public:
     /// The family that a text names.
     [[nodiscard]] static constexpr drive_family of(literal text) noexcept
     {
-        return read(text, [](char each) { return each; });
+        drive_family found;
+        for (std::size_t i = 0; i < text.size() and found.push(text[i]); ++i) {
+        }
+        return found.whole();
     }
 
     /// The same of a text that is known when the program runs: a std::string_view, a std::string.
@@ -39,13 +42,19 @@ public:
         requires requires(Text const& text) { requires std::same_as<decltype(text[text.size() - 1]), char const&>; }
     [[nodiscard]] static constexpr drive_family of(Text const& text) noexcept
     {
-        return read(text, [](char each) { return each; });
+        drive_family found;
+        for (std::size_t i = 0; i < text.size() and found.push(text[i]); ++i) {
+        }
+        return found.whole();
     }
 
     /// The same of a text as it came over the line.
     [[nodiscard]] static constexpr drive_family of(byte_view text) noexcept
     {
-        return read(text, [](std::byte each) { return static_cast<char>(detail::to_u8(each)); });
+        drive_family found;
+        for (std::size_t i = 0; i < text.size() and found.push(static_cast<char>(detail::to_u8(text[i]))); ++i) {
+        }
+        return found.whole();
     }
 
     [[nodiscard]] constexpr bool is_known() const noexcept { return size_ != 0; }
@@ -58,15 +67,6 @@ private:
     static constexpr char upper(char what) noexcept
     {
         return what >= 'a' and what <= 'z' ? static_cast<char>(what - 'a' + 'A') : what;
-    }
-
-    template <typename Text, typename ToCharacter>
-    static constexpr drive_family read(Text const& text, ToCharacter to_character) noexcept
-    {
-        drive_family found;
-        for (std::size_t i = 0; i < text.size() and found.push(to_character(text[i])); ++i) {
-        }
-        return found.has_number() ? found : drive_family{};
     }
 
     /// Takes one more character; whether the next one may belong to the family, too.
@@ -85,6 +85,7 @@ private:
     }
 
     [[nodiscard]] constexpr bool has_number() const noexcept { return size_ > 0 and is_digit(text_[size_ - 1U]); }
+    [[nodiscard]] constexpr drive_family whole() const noexcept { return has_number() ? *this : drive_family{}; }
 
     std::array<char, 8> text_{};
     std::uint8_t size_{0};
