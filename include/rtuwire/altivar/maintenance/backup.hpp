@@ -71,16 +71,13 @@ public:
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
-        auto const told =
-            outcome ? outcome->to<read_holding_registers>() : result<read_holding_registers_response>{outcome.error()};
-        if (told and told->registers.size() == walk_.block().count) {
-            take(told->registers);
-        } else if (told) {
-            end(errc::wrong_length);
-        } else if (is_of_registers(told.error())) {
-            refuse(told.error());
+        result<register_view> const words = words_read(outcome, walk_.block().count);
+        if (words) {
+            take(*words);
+        } else if (is_of_registers(words.error())) {
+            refuse(words.error());
         } else {
-            end(told.error());
+            end(words.error());
         }
     }
 

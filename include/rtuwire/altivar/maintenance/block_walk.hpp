@@ -11,10 +11,13 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
+#include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -129,6 +132,19 @@ private:
     detail::address_block block_{};
     std::uint16_t limit_;
 };
+
+/// The words of so many registers that were asked for, or why there are none.
+[[nodiscard]] constexpr result<register_view> words_read(result<response> const& outcome, std::size_t count) noexcept
+{
+    if (not outcome) {
+        return outcome.error();
+    }
+    auto const told = outcome->to<read_holding_registers>();
+    if (not told) {
+        return told.error();
+    }
+    return told->registers.size() == count ? result<register_view>{told->registers} : errc::wrong_length;
+}
 
 /// Whether a drive that sent this exception refused the registers that were asked for: it is worth asking for fewer.
 /// A drive without the function, or a gateway without the drive, says the same of each.

@@ -34,31 +34,34 @@ public:
 
     /// For a drive of one family; the configuration and the map are of another, or of the same.
     constexpr identity_check(drive_family const& its_family, drive_family const& wanted, literal of_map,
-                             bool has_identification) noexcept
+                             bool implements_identification) noexcept
         : family_{its_family}, is_meant_{its_family.is_known() and its_family == wanted and
                                          (of_map.size() == 0 or drive_family::of(of_map) == its_family)},
-          has_identification_{has_identification}
+          implements_identification_{implements_identification}
     {}
 
-    /// As it was made, for a drive that has an identification or not.
-    [[nodiscard]] constexpr identity_check anew(bool has_identification) const noexcept
+    /// As it was made.
+    [[nodiscard]] constexpr identity_check anew() const noexcept
     {
         identity_check same = *this;
-        same.has_identification_ = has_identification;
-        same.is_identified_ = false;
-        same.was_told_ = false;
+        same.lacks_product_code_ = same.is_identified_ = same.was_told_ = false;
         return same;
     }
 
     /// Whether configuration and map are for such a drive.
     [[nodiscard]] constexpr bool is_meant() const noexcept { return is_meant_; }
-    [[nodiscard]] constexpr bool has_identification() const noexcept { return has_identification_; }
+
+    /// Whether the drive is to be asked for its product code; registers are compared otherwise.
+    [[nodiscard]] constexpr bool has_identification() const noexcept
+    {
+        return implements_identification_ and not lacks_product_code_;
+    }
 
     /// Whether the drive was identified since `expire`.
     [[nodiscard]] constexpr bool holds() const noexcept { return is_identified_; }
 
     /// The drive is asked again before the next write; one that does not tell who it is, is not.
-    constexpr void expire() noexcept { is_identified_ = not has_identification_; }
+    constexpr void expire() noexcept { is_identified_ = not has_identification(); }
 
     /// The registers were compared.
     constexpr void note_same() noexcept { is_identified_ = true; }
@@ -67,9 +70,8 @@ public:
     {
         error = outcome.error();
         if (is_lack(error)) {
-            bool const told_before = was_told_;
-            has_identification_ = told_before;
-            return told_before ? verdict::other : verdict::not_told;
+            lacks_product_code_ = not was_told_;
+            return was_told_ ? verdict::other : verdict::not_told;
         }
         if (not outcome) {
             return verdict::not_reached;
@@ -102,7 +104,8 @@ private:
 
     drive_family family_;
     bool is_meant_;
-    bool has_identification_;
+    bool implements_identification_;
+    bool lacks_product_code_{false}; ///< it was asked for that, and has none
     bool is_identified_{false};
     bool was_told_{false}; ///< by the product code, ever
 };

@@ -93,21 +93,16 @@ inline constexpr std::uint8_t agenda_size = std::size(restore_agenda);
     return false;
 }
 
-/// Whether a write of others depends on what the drive holds of this role.
-[[nodiscard]] constexpr bool is_depended_on(parameter_role role) noexcept
-{
-    return role == parameter_role::step_size or role == parameter_role::frequency_limit;
-}
-
 /// Whether a step is over a parameter that was judged so.
 [[nodiscard]] constexpr bool covers_row(agenda_step const& step, parameter const& row,
                                         restore_outcome judgement) noexcept
 {
     parameter_role const role = role_of(row);
     bool const is_planned = judgement == restore_outcome::planned;
+    bool const is_depended_on = role == parameter_role::step_size or role == parameter_role::frequency_limit;
     switch (step.act) {
     case agenda_act::announce:
-        return is_depended_on(role) or (is_planned ? role == parameter_role::restart : needs_option(judgement));
+        return is_depended_on or (is_planned ? role == parameter_role::restart : needs_option(judgement));
     case agenda_act::write:
     case agenda_act::raise:
     case agenda_act::lower:

@@ -222,23 +222,6 @@ public:
     [[nodiscard]] constexpr restore_progress& progress() noexcept { return progress_; }
     [[nodiscard]] constexpr restore_progress const& progress() const noexcept { return progress_; }
 
-    /// The word that is wanted of a parameter that has one.
-    [[nodiscard]] constexpr std::uint16_t wanted(parameter const& row) noexcept { return words_(row).value_or(0); }
-
-    /// The word that is to be sent, judged once more as far as that does not depend on others; where it is none any more,
-    /// tells so.
-    constexpr std::optional<std::uint16_t> word_to_send(placed_row const& which, std::uint16_t held) noexcept
-    {
-        std::optional<std::uint16_t> const word = words_(*which.row);
-        restore_outcome const found = judged(options_, *which.row, word);
-        if (found == restore_outcome::planned) {
-            return word;
-        }
-        tell(which, {found, held});
-        progress_.note_failure(*which.row);
-        return std::nullopt;
-    }
-
     /// Whether this step is over a parameter. A dry run has nothing to verify.
     [[nodiscard]] constexpr bool covers(parameter const& row) noexcept
     {
@@ -254,26 +237,36 @@ public:
     /// Goes on to the next step; whether there is one.
     constexpr bool advance() noexcept { return progress_.advance(options_.dry_run); }
 
-    /// Does what this step does with a parameter whose word was just read, and tells it. Returns whether it is to be written
-    /// now, which is told once that is done.
-    constexpr bool treat(placed_row const& which, std::uint16_t held) noexcept
+    /// Does what this step does with a parameter whose word was just read, and tells it. Returns the word that is to be
+    /// written now, where there is one: that is told once it is done.
+    constexpr std::optional<std::uint16_t> treat(placed_row const& which, std::uint16_t held) noexcept
     {
         parameter const& row = *which.row;
         agenda_step const& now = progress_.step();
+        std::uint16_t const word = wanted(row);
+        bool const is_due = now.writes() and now.moves(row.count_of(held), row.count_of(word));
         dependences_.note_held(row.code, held);
         if (now.act == agenda_act::announce) {
             announce(which, held);
-        } else if (not allows(which, held)) {
-            progress_.note_treated(row);
-        } else if (held == wanted(row)) {
-            progress_.note_treated(row);
+            return std::nullopt;
+        }
+        if (restore_outcome const found = dependences_.judge(row, held, word, is_due);
+            found != restore_outcome::planned) {
+            tell(which, {found, held});
+            progress_.count_wrong(row, is_due and dependences_.limits_fit());
+        } else if (held == word) {
             tell(which, {restore_outcome::holds, held});
         } else if (now.act == agenda_act::verify) {
             judge_wrong(which, held);
-        } else if (now.moves(row.count_of(held), row.count_of(wanted(row)))) {
-            return is_for_real(which, held);
+            return std::nullopt;
+        } else if (not is_due or not options_.dry_run) {
+            return is_due ? word_to_send(which, held) : std::nullopt;
+        } else {
+            dependences_.note_held(row.code, word);
+            tell(which, {restore_outcome::planned, held});
         }
-        return false;
+        progress_.note_treated(row);
+        return std::nullopt;
     }
 
     /// A write has come to its end.
@@ -294,15 +287,22 @@ public:
     {
         map_.for_each([&](parameter const& row, parameter_group const& group) {
             restore_outcome const found = judgement(row);
+            parameter_role const role = role_of(row);
             bool const is_planned = found == restore_outcome::planned;
-            if (is_planned or (has_fitting_word(found) and role_of(row) == parameter_role::step_size)) {
+            if (is_planned or (has_fitting_word(found) and role == parameter_role::step_size)) {
                 dependences_.note_wanted(row.code, wanted(row));
             }
             wants_any_ = wants_any_ or is_planned;
-            if (not is_planned) {
-                note_left_out(row, found);
-                report_(group, row, restore_report{found});
+            if (is_planned) {
+                return;
             }
+            if (found == restore_outcome::out_of_limits and allowed_by(options_, row) == restore_outcome::planned) {
+                progress_.note_unfit();
+            }
+            if (is_restorable(role)) {
+                dependences_.note_left_alone(row.steps_set_by);
+            }
+            report_(group, row, restore_report{found});
         });
     }
 
@@ -340,19 +340,12 @@ private:
         return judged(options_, row, words_(row));
     }
 
+    /// The word that is wanted of a parameter that has one.
+    [[nodiscard]] constexpr std::uint16_t wanted(parameter const& row) noexcept { return words_(row).value_or(0); }
+
     constexpr void tell(placed_row const& which, restore_report const& what) noexcept
     {
         report_(*which.group, *which.row, what);
-    }
-
-    constexpr void note_left_out(parameter const& row, restore_outcome found) noexcept
-    {
-        if (found == restore_outcome::out_of_limits and allowed_by(options_, row) == restore_outcome::planned) {
-            progress_.note_unfit();
-        }
-        if (is_restorable(role_of(row))) {
-            dependences_.note_left_alone(row.steps_set_by);
-        }
     }
 
     /// Before any write: what is left out, or depended on, with what the drive holds.
@@ -361,20 +354,6 @@ private:
         restore_outcome const found = judgement(*which.row);
         bool const is_right = has_fitting_word(found) and held == wanted(*which.row);
         tell(which, {is_right ? restore_outcome::holds : found, held});
-    }
-
-    /// Whether others allow this parameter to be written, or to be right; where they do not, tells why, and counts it.
-    constexpr bool allows(placed_row const& which, std::uint16_t held) noexcept
-    {
-        parameter const& row = *which.row;
-        agenda_step const& now = progress_.step();
-        bool const is_now = now.writes() and now.moves(row.count_of(held), row.count_of(wanted(row)));
-        restore_outcome const found = dependences_.judge(row, held, wanted(row), is_now);
-        if (found != restore_outcome::planned) {
-            tell(which, {found, held});
-            progress_.count_wrong(row, is_now and dependences_.limits_fit());
-        }
-        return found == restore_outcome::planned;
     }
 
     /// The verification found another word than the wanted one; a second one tells.
@@ -386,15 +365,18 @@ private:
         }
     }
 
-    /// Whether a parameter that differs is written; in a dry run it is told.
-    constexpr bool is_for_real(placed_row const& which, std::uint16_t held) noexcept
+    /// The word that is wanted, judged once more as far as that does not depend on others; where it is none any more, tells
+    /// so.
+    constexpr std::optional<std::uint16_t> word_to_send(placed_row const& which, std::uint16_t held) noexcept
     {
-        if (options_.dry_run) {
-            progress_.note_treated(*which.row);
-            dependences_.note_held(which.row->code, wanted(*which.row));
-            tell(which, {restore_outcome::planned, held});
+        std::optional<std::uint16_t> const word = words_(*which.row);
+        restore_outcome const found = judged(options_, *which.row, word);
+        if (found == restore_outcome::planned) {
+            return word;
         }
-        return not options_.dry_run;
+        tell(which, {found, held});
+        progress_.note_failure(*which.row);
+        return std::nullopt;
     }
 
     parameter_map map_;
