@@ -107,9 +107,8 @@ DEFECTS = [
     Defect("the loss of a motor that is left is put off", [
         (UNIT_ORDER, "if (answers_left == 0) { // else it was left before", "{")], LEFT, 3),
     Defect("broadcast_freewheel waits while a unit is lost", [
-        ("client/client.hpp", """return detail::frees_all_units<Conversation> and not conversation.settled() ? detail::effect::stopping
-                                                                                    : detail::effect::none;""",
-         "return detail::effect::none;")],
+        ("ask/commander.hpp", "return frees_all_units<T> and not conversation.settled() ? effect::stopping : effect::none;",
+         "return effect::none;")],
         {"a stop whose word"}),
     Defect("broadcast_freewheel waits in a slot of a silent unit", [
         (BUS, "return not detail::frees_all_units<Conversation> and must_wait(index, now);", "return must_wait(index, now);")],

@@ -350,6 +350,44 @@ concept frees_all_units = requires
     requires T::frees_all;
 };
 
+/// What the next request of a conversation does to a motor.
+template <conversation T> [[nodiscard]] constexpr effect effect_of(T const& conversation) noexcept
+{
+    if constexpr (commanding_conversation<T> or stops_by_broadcast<T>) {
+        return conversation.intent();
+    }
+    return frees_all_units<T> and not conversation.settled() ? effect::stopping : effect::none;
+}
+
+/// The unit that a stop request stops; 0 for one of several.
+template <conversation T> [[nodiscard]] constexpr std::uint8_t unit_stopped_by(T const& conversation) noexcept
+{
+    if constexpr (commanding_conversation<T>) {
+        return conversation.unit().byte();
+    }
+    return 0;
+}
+
+/// Whether it stops the unit of a request that is under way.
+template <conversation T> [[nodiscard]] constexpr bool may_cut(T const& conversation, std::uint8_t asked) noexcept
+{
+    if constexpr (stops_by_broadcast<T>) {
+        return conversation.may_cut(asked);
+    } else if constexpr (commanding_conversation<T>) {
+        return conversation.unit().byte() == asked;
+    }
+    return false;
+}
+
+/// How long the response may take: a commander may allow less time than the policy of its unit.
+template <conversation T> [[nodiscard]] constexpr duration timeout_of(T const& conversation, duration usual) noexcept
+{
+    if constexpr (requires { conversation.limited(usual); }) {
+        return conversation.limited(usual);
+    }
+    return usual;
+}
+
 /// Whether a conversation has all that its properties need; what is missing is refused in a sentence.
 template <conversation T> [[nodiscard]] constexpr bool has_what_it_declares() noexcept
 {

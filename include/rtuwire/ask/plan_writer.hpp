@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Runs a write plan: its requests in order, by function 16. The first failure ends it; what was written before stays
-// written, and `written()` gives the number of confirmed requests.
+// written, and `written()` gives the number of confirmed requests. Apart from poller.hpp: who only reads compiles no write plan.
 #pragma once
 
 #include <array>

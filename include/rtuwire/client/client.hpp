@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The client's end of a line (SL 2.4.1): one request at a time, for any number of conversations. Owns neither the wire nor a
-// clock; knows of functions only what wire/response.hpp says. A client has a transaction, which runs the request under way
-// and knows no conversation (client/line/transaction.hpp); the turns of the conversations (client/turns.hpp); and the orders
-// of those that command motors (client/orders.hpp). Here the three meet: a conversation that visits gets its outcome,
+// clock; knows of functions only what wire/response.hpp says. A client has the schedule of its conversations (client/turns.hpp),
+// in it the transaction, which runs the request under way and knows no conversation (client/line/transaction.hpp); and the
+// orders of those that command motors (client/orders.hpp). Here the three meet: a conversation that visits gets its outcome,
 // and leaves its next request where it is its turn and no order forbids it.
 #pragma once
 
@@ -54,6 +54,8 @@ template <auto const& Needs> class basic_client {
     using needed = detail::told_by<Needs>;
     using Observer = typename needed::observer;
     using Orders = std::conditional_t<Needs.motors == 0, detail::no_orders, detail::orders<Needs.motors>>;
+    using Schedule = detail::schedule<detail::transaction<Needs>,
+                                      std::conditional_t<Orders::is_kept, detail::reservation, detail::no_reservation>>;
 
 public:
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
@@ -62,7 +64,7 @@ public:
 
     explicit constexpr basic_client(line_timing const& its_timing, client_options const& its_options = {}) noexcept
         requires(not needed::is_fixed)
-        : transaction_{its_timing, its_options}
+        : schedule_{its_timing, its_options}
     {}
 
     /// For needs with a `timing`. Zero-initialised, so a `constinit` client lives in .bss.
@@ -72,14 +74,16 @@ public:
 
     /// Takes bytes that had arrived by `now`, in any chunking. While no response is awaited they are noise: dropped,
     /// but the line was not silent. A response that is passed in before `advance` has seen the time-out is in time.
-    constexpr void receive(byte_view const& bytes, instant now) noexcept { transaction_.receive(bytes, now); }
+    constexpr void receive(byte_view const& bytes, instant now) noexcept { transaction().receive(bytes, now); }
 
-    /// The same of one byte, for a receiver that hands over each as it arrives: a program that calls only this has no code
-    /// for chunks.
-    constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept { transaction_.receive(byte, now); }
+    /// The same of one byte: a program that calls only this has no code for chunks.
+    constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept
+    {
+        transaction().receive(byte, now);
+    }
 
     /// Reports a receive error (parity, framing, overrun).
-    constexpr void receive_error(instant now) noexcept { transaction_.receive_error(now); }
+    constexpr void receive_error(instant now) noexcept { transaction().receive_error(now); }
 
     /// Notes that the last stop bit of what `poll_transmit` returned has left at `at`, or will have left by then.
     constexpr void sent(instant at) noexcept
@@ -93,10 +97,10 @@ public:
     constexpr void sent(instant at, auto judge) noexcept
     {
         bool const was_leaving = detail::is_leaving(phase_now());
-        transaction_.sent(at);
+        transaction().sent(at);
         if constexpr (detail::has_system) { // elsewhere nothing stops the program between this and `advance`
             if (was_leaving) {
-                duration const ahead = transaction_.time_to_send();
+                duration const ahead = transaction().time_to_send();
                 keep_up(at - ahead, ahead, judge);
             }
         }
@@ -112,10 +116,8 @@ public:
         instant const at = judged_at(now);
         seen_ = instant{now.microseconds | 1U}; // never 0
         bool const is_silence_over = orders_.advance(at, is_busy(), asked_unit());
-        if ((transaction_.advance(now, at) or is_silence_over) and is_put_off_) {
-            is_put_off_ = false;
-            turns_.void_marks();
-            turns_.note_waiting();
+        if (transaction().advance(now, at) or is_silence_over) {
+            schedule_.note_free_unit();
         }
         return at;
     }
@@ -127,9 +129,8 @@ public:
         return seen_ == instant{0} ? now : detail::within_reach(seen_, now); // 0: the first time
     }
 
-    /// The bytes to send now, each request and repetition once; empty when there is nothing to send. They are the
-    /// client's own, and unchanged until `sent`.
-    [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return transaction_.poll_transmit(); }
+    /// The bytes to send now, each request and repetition once; empty when there is nothing to send. Unchanged until `sent`.
+    [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return transaction().poll_transmit(); }
 
     /// When the next pass has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
@@ -142,51 +143,49 @@ public:
     /// The same, for a caller that collects several.
     constexpr void add_to(detail::earliest& next) const noexcept
     {
-        transaction_.add_to(next, reservation_.is_on(), instant{seen_.microseconds - 1U});
+        transaction().add_to(next, schedule_.is_reserved(), instant{seen_.microseconds - 1U});
         orders_.add_to(next);
     }
 
     /// The timing of its line.
-    [[nodiscard]] constexpr line_timing const& line() const noexcept { return transaction_.line(); }
+    [[nodiscard]] constexpr line_timing const& line() const noexcept { return transaction().line(); }
 
     /// Whether the line has fallen silent since the last byte.
-    [[nodiscard]] constexpr bool is_quiet() const noexcept { return transaction_.is_quiet(); }
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return transaction().is_quiet(); }
 
-    /// Whether the line has given back what was sent, and echoes are taken out by themselves: `client_options::has_line_echo`
-    /// says how.
-    [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return transaction_.has_seen_echo(); }
+    /// Whether the line has given back what was sent: `client_options::has_line_echo` says what follows.
+    [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return transaction().has_seen_echo(); }
 
     /// What was counted.
-    [[nodiscard]] constexpr auto& statistics() noexcept { return detail::first_of(transaction_.observer()); }
+    [[nodiscard]] constexpr auto& statistics() noexcept { return detail::first_of(transaction().observer()); }
     [[nodiscard]] constexpr auto const& statistics() const noexcept
     {
-        return detail::first_of(transaction_.observer());
+        return detail::first_of(transaction().observer());
     }
 
     /// Hands the frames that pass from here on to a sink, which must outlive the client. For a client `traced_by` it.
     template <typename Sink>
         requires detail::is_traced_by<Observer, Sink>
-    constexpr void trace_to(Sink& frames) noexcept { transaction_.observer().trace_to(frames); }
+    constexpr void trace_to(Sink& frames) noexcept { transaction().observer().trace_to(frames); }
 
     // The request under way.
 
     /// Whether a request is under way or its outcome not taken yet.
-    [[nodiscard]] constexpr bool is_busy() const noexcept { return transaction_.is_busy(); }
+    [[nodiscard]] constexpr bool is_busy() const noexcept { return transaction().is_busy(); }
 
     /// How far it is.
     /// Internal.
-    [[nodiscard]] constexpr detail::client_phase phase_now() const noexcept { return transaction_.phase_now(); }
+    [[nodiscard]] constexpr detail::client_phase phase_now() const noexcept { return transaction().phase_now(); }
 
     /// The unit of the last request; 0 for a broadcast.
-    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return transaction_.asked_unit(); }
+    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return transaction().asked_unit(); }
 
     /// Whether it was this conversation that asked last.
-    [[nodiscard]] constexpr bool is_asked_by(asker const& who) const noexcept { return turns_.is_own(who); }
+    [[nodiscard]] constexpr bool is_asked_by(asker const& who) const noexcept { return turns().is_own(who); }
 
     /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`, which its conversation takes at
-    /// its next visit: no deadline tells of that. A write may have taken
-    /// effect all the same. A frame that is leaving leaves whole, and a broadcast gets its turnaround; the outcome
-    /// comes then.
+    /// its next visit: no deadline tells of that. A write may have taken effect all the same. A frame that is leaving leaves
+    /// whole, and a broadcast gets its turnaround; the outcome comes then.
     constexpr void cancel(instant now) noexcept
     {
         cancel(now, [](instant) {});
@@ -207,19 +206,19 @@ public:
         if (detail::is_under_way(phase_now())) {
             keep_up(now, duration{}, judge);
         }
-        transaction_.cancel(now);
+        transaction().cancel(now);
     }
 
     /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like; nothing where it was
     /// no frame, or where more has arrived behind it. Valid until bytes are taken or the next request begins.
     [[nodiscard]] constexpr std::optional<detail::refused_frame> refused() const noexcept
     {
-        return transaction_.refused();
+        return transaction().refused();
     }
 
     /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
     /// is leaving or waits for its response is not ended. The latest of several ends counts.
-    constexpr void hold(unit_id unit, instant end) noexcept { transaction_.keep_away(unit, end); }
+    constexpr void hold(unit_id unit, instant end) noexcept { transaction().keep_away(unit, end); }
 
     /// Whether no new request goes to a unit now: its response is outstanding, `hold` says so, or it was lost while it
     /// was ordered to run, and its own time-out has to stop it.
@@ -249,7 +248,7 @@ public:
     /// the pass in which it settles.
     template <conversation Conversation> constexpr void converse(Conversation& conversation, instant now) noexcept
     {
-        client_options const& all = transaction_.options();
+        client_options const& all = transaction().options();
         // The time is constructed anew: GCC would read a constant's copy from memory.
         converse(conversation, now,
                  {.response_timeout = duration{all.response_timeout.microseconds}, .retries = all.retries});
@@ -289,17 +288,17 @@ public:
     constexpr std::optional<errc> deliver(Conversation& conversation, bool wants_turn, instant now) noexcept
     {
         std::optional<errc> told;
-        if (turns_.was_dropped(conversation, phase_now() == detail::client_phase::idle)) {
+        if (turns().was_dropped(conversation, not is_busy())) {
             told = reason_of_drop(conversation);
             conversation.accept(*told);
             wants_turn = wants_turn and not conversation.settled();
         } else {
-            turns_.meet(conversation, conversation.settled());
+            turns().meet(conversation, conversation.settled());
         }
         if (not claims_outcome(conversation, wants_turn, now)) { // the outcome may be another's
             return told;
         }
-        turns_.renew(conversation);
+        turns().renew(conversation);
         conversation.forget();
         result<response> const outcome = take_and_note_outcome(now);
         conversation.accept(outcome);
@@ -316,22 +315,21 @@ public:
             orders_.tell(conversation); // what it begins with depends on it
         }
         detail::advance_conversation(conversation, now);
-        if constexpr (detail::commanding_conversation<Conversation> or detail::stops_by_broadcast<Conversation>) {
-            if constexpr (detail::stops_by_broadcast<Conversation>) {
-                note_stop_of_all(conversation, now);
-            } else {
-                bool const stops = conversation.begins_to_stop();
-                note_commander(conversation, now);
-                if (stops and not is_asked_by(conversation)) {
-                    withdraw(conversation.unit().byte(), now); // its first request may be a read
-                }
+        if constexpr (detail::stops_by_broadcast<Conversation>) {
+            note_stop_of_all(conversation, now);
+        } else if constexpr (detail::commanding_conversation<Conversation>) {
+            bool const stops = conversation.begins_to_stop();
+            note_commander(conversation, now);
+            if (stops and not is_asked_by(conversation)) {
+                schedule_.withdraw(conversation.unit().byte(), now); // its first request may be a read
             }
         }
         if constexpr (may_stop_motors<Conversation>) {
-            bool const is_due = may_ask and effect_of(conversation) == detail::effect::stopping;
+            bool const is_due = may_ask and detail::effect_of(conversation) == detail::effect::stopping;
             if (is_due and not is_asked_by(conversation) and
-                check_order(conversation, detail::effect::stopping) == errc::none) {
-                make_way_for(conversation, now);
+                check_order(conversation, detail::effect::stopping) == errc::none and not schedule_.is_free()) {
+                schedule_.make_way_for(conversation, detail::unit_stopped_by(conversation),
+                                       detail::may_cut(conversation, asked_unit()), now);
             }
         }
     }
@@ -347,10 +345,10 @@ public:
         static_assert(detail::has_room_for<Needs, Conversation>(),
                       "this client has no room for the longest frames of the conversation: give its client_needs a "
                       "larger longest_frame");
-        if (conversation.settled() and not turns_.is_last(conversation)) {
+        if (conversation.settled() and not turns().is_last(conversation)) {
             return detail::turn_result::passed;
         }
-        detail::effect const what = effect_of(conversation);
+        detail::effect const what = detail::effect_of(conversation);
         if (not has_turn(conversation, what, now)) {
             return detail::turn_result::waits;
         }
@@ -359,7 +357,7 @@ public:
                 return refuse(conversation, wrong, now);
             }
             if (is_barred(conversation.unit().byte(), what)) {
-                return put_off(conversation);
+                return schedule_.put_off(conversation);
             }
         }
         auto const request = conversation.next();
@@ -368,31 +366,31 @@ public:
         }
         std::uint8_t const unit = request->frame().empty() ? std::uint8_t{0} : detail::to_u8(request->frame()[0]);
         if (is_barred(unit, what)) {
-            return put_off(conversation);
+            return schedule_.put_off(conversation);
         }
-        errc const wrong =
-            start(detail::as_declared<Conversation>(*request), now, unit, with, timeout_of(conversation, with));
+        errc const wrong = start(detail::as_declared<Conversation>(*request), now, unit, with,
+                                 detail::timeout_of(conversation, with.response_timeout));
         if (wrong != errc::none) {
             return refuse(conversation, wrong, now);
         }
         if constexpr (Orders::is_kept and detail::may_write_meaning<Conversation>) {
             orders_.note_request(request->frame());
         }
-        turns_.renew(conversation);
+        turns().renew(conversation);
         note_asked(conversation, what);
         return detail::turn_result::asked;
     }
 
     /// Whether the request has left and others wait already: visits change nothing but the marks of those.
     /// Internal.
-    [[nodiscard]] constexpr bool needs_no_visit() const noexcept
-    {
-        detail::client_phase const at = phase_now();
-        bool const has_left = detail::is_under_way(at) and at > detail::client_phase::handed_out;
-        return has_left and turns_.others_wait() and not reservation_.is_on() and not is_put_off_;
-    }
+    [[nodiscard]] constexpr bool needs_no_visit() const noexcept { return schedule_.needs_no_visit(); }
 
 private:
+    constexpr auto& transaction() noexcept { return schedule_.transaction(); }
+    constexpr auto const& transaction() const noexcept { return schedule_.transaction(); }
+    constexpr detail::turns& turns() noexcept { return schedule_.turns(); }
+    constexpr detail::turns const& turns() const noexcept { return schedule_.turns(); }
+
     /// Whether a conversation of this type may visit: what commands a motor has to be kept.
     template <typename Conversation>
     static constexpr bool may_visit = Orders::is_kept or not(detail::commanding_conversation<Conversation> or
@@ -413,8 +411,8 @@ private:
 
     // Whose turn it is.
 
-    /// A conversation visits, and claims the outcome. Returns whether it is there and its own. A request is dropped where the next in
-    /// turn finds its asker missing twice, or where the asker itself has given it up.
+    /// A conversation visits, and claims the outcome. Returns whether it is there and its own. A request is dropped where the
+    /// next in turn finds its asker missing twice, or where the asker itself has given it up.
     constexpr bool claims_outcome(asker& who, bool wants_turn, instant now) noexcept
     {
         detail::client_phase const at = phase_now();
@@ -424,15 +422,15 @@ private:
         }
         detail::standing place = detail::standing::is_last;
         if (not is_own) {
-            place = turns_.mark(who);
+            place = turns().mark(who);
         } else if (at == detail::client_phase::settled) {
             return true;
         } else if (at == detail::client_phase::waiting) {
-            turns_.renew(who);
+            turns().renew(who);
         }
-        if (transaction_.awaits_asker(reservation_.is_for_stops())) {
+        if (schedule_.awaits_asker()) {
             if (is_own) {
-                transaction_.get_ready(now);
+                transaction().get_ready(now);
             } else {
                 replace_asker(place, now);
             }
@@ -443,10 +441,10 @@ private:
     /// Only the asker is missing, and another conversation visits: whether that one takes its place. Inlined: smaller.
     [[gnu::always_inline]] constexpr void replace_asker(detail::standing place, instant now) noexcept
     {
-        transaction_.wake(now);
-        bool const takes_over = place == detail::standing::is_next and turns_.misses_asker();
+        transaction().wake(now);
+        bool const takes_over = place == detail::standing::is_next and turns().misses_asker();
         if (takes_over or place == detail::standing::is_last) {
-            transaction_.drop(now);
+            transaction().drop(now);
             static_cast<void>(take_and_note_outcome(now));
         }
     }
@@ -455,8 +453,8 @@ private:
     /// that is not waited for has also fed its unit's watchdog.
     constexpr result<response> take_and_note_outcome(instant now) noexcept
     {
-        orders_.note_outcome(asked_unit(), transaction_.heard_of_unit(), transaction_.was_repeated(), now);
-        return transaction_.take_outcome();
+        orders_.note_outcome(asked_unit(), transaction().heard_of_unit(), transaction().was_repeated(), now);
+        return transaction().take_outcome();
     }
 
     /// Whether a conversation may ask now: a stop request does not wait for its turn.
@@ -465,65 +463,10 @@ private:
     {
         if constexpr (may_stop_motors<Conversation>) {
             if (what == detail::effect::stopping) {
-                return may_stop(conversation, unit_stopped_by(conversation), now);
+                return schedule_.may_stop(conversation, detail::unit_stopped_by(conversation), now);
             }
         }
-        return may_ask(conversation, detail::prompt_conversation<Conversation>, now);
-    }
-
-    /// Whether it is this conversation's turn to ask. While others wait, or for a request that is made at the
-    /// last moment, the line has to be silent first.
-    constexpr bool may_ask(asker& who, bool is_prompt, instant now) noexcept
-    {
-        if (phase_now() != detail::client_phase::idle) {
-            return false;
-        }
-        bool const is_silent = is_quiet();
-        if constexpr (Orders::is_kept) {
-            if (reservation_.is_on() and not reservation_.misses_owner(turns_, who)) {
-                if (is_silent) {
-                    transaction_.wake(now);
-                }
-                return false;
-            }
-            reservation_.end();
-        }
-        if (not turns_.others_wait() and (is_silent or not is_prompt)) {
-            return true;
-        }
-        detail::standing const at = turns_.mark(who);
-        bool const may = is_silent and turns_.opens_turn(at);
-        if (is_silent and not may) {
-            transaction_.wake(now);
-        }
-        return may;
-    }
-
-    /// Whether a request that stops a unit may be sent: it waits for silence, and for the stop of another unit for which
-    /// the line is reserved, but not for its turn.
-    constexpr bool may_stop(asker& who, std::uint8_t unit, instant now) noexcept
-    {
-        if (not is_free()) {
-            return false;
-        }
-        if (reservation_.is_for_another(unit) and not reservation_.misses_owner(turns_, who)) {
-            transaction_.wake(now);
-            return false;
-        }
-        reservation_.use();
-        return true;
-    }
-
-    /// Whether a request would leave in this pass.
-    constexpr bool is_free() const noexcept { return phase_now() == detail::client_phase::idle and is_quiet(); }
-
-    /// A conversation's unit gets no request now. The one that asked last has had its turn; others get one later.
-    constexpr detail::turn_result put_off(asker const& who) noexcept
-    {
-        if (not turns_.is_last(who)) {
-            is_put_off_ = true;
-        }
-        return detail::turn_result::passed;
+        return schedule_.may_ask(conversation, detail::prompt_conversation<Conversation>, now);
     }
 
     /// A request cannot be sent.
@@ -531,18 +474,8 @@ private:
     constexpr detail::turn_result refuse(Conversation& conversation, errc wrong, instant now) noexcept
     {
         conversation.accept(wrong);
-        transaction_.wake(now); // it may have another request, and no deadline shows that
+        transaction().wake(now); // it may have another request, and no deadline shows that
         return detail::turn_result::passed;
-    }
-
-    /// How long the response may take: a commander may allow less time than the policy of its unit.
-    template <typename Conversation>
-    static constexpr duration timeout_of(Conversation const& conversation, retry_policy const& with) noexcept
-    {
-        if constexpr (requires { conversation.limited(with.response_timeout); }) {
-            return conversation.limited(with.response_timeout);
-        }
-        return with.response_timeout;
     }
 
     /// Starts a request to a unit. To a lost unit each stop request is sent once.
@@ -554,9 +487,9 @@ private:
             retry_policy own = with;
             own.response_timeout = timeout;
             own.retries = orders_.is_lost(unit) ? std::uint8_t{0} : with.retries;
-            return transaction_.start(asked, now, own);
+            return transaction().start(asked, now, own);
         } else {
-            return transaction_.start(asked, now, with); // no commander visits
+            return transaction().start(asked, now, with); // no commander visits
         }
     }
 
@@ -599,17 +532,6 @@ private:
                                             detail::stops_by_broadcast<Conversation> or
                                             (Orders::is_kept and detail::frees_all_units<Conversation>);
 
-    /// What the next request of a conversation does to a motor.
-    template <typename Conversation>
-    static constexpr detail::effect effect_of(Conversation const& conversation) noexcept
-    {
-        if constexpr (detail::commanding_conversation<Conversation> or detail::stops_by_broadcast<Conversation>) {
-            return conversation.intent();
-        }
-        return detail::frees_all_units<Conversation> and not conversation.settled() ? detail::effect::stopping
-                                                                                    : detail::effect::none;
-    }
-
     template <typename Conversation>
     constexpr errc check_order(Conversation const& conversation, detail::effect what) const noexcept
     {
@@ -647,113 +569,13 @@ private:
     /// unit: none of these is the echo of a stop request.
     constexpr bool is_barred(std::uint8_t unit, detail::effect what) const noexcept
     {
-        return orders_.is_silent(unit, what) or (what != detail::effect::stopping and transaction_.is_kept_away(unit));
+        return orders_.is_silent(unit, what) or (what != detail::effect::stopping and transaction().is_kept_away(unit));
     }
 
-    /// The unit that a stop request stops; 0 for one of several.
-    template <typename Conversation>
-    static constexpr std::uint8_t unit_stopped_by(Conversation const& conversation) noexcept
-    {
-        if constexpr (detail::commanding_conversation<Conversation>) {
-            return conversation.unit().byte();
-        }
-        return 0;
-    }
-
-    /// A conversation visits with a stop request. Until that has left, no other conversation sends; a request under
-    /// way for its unit is given up, unless its response is arriving. One for another unit is not repeated, and given up
-    /// where it has not left and is no stop's.
-    template <typename Conversation> constexpr void make_way_for(Conversation& conversation, instant now) noexcept
-    {
-        if (is_free()) {
-            return;
-        }
-        bool may_cut = false;
-        if constexpr (detail::stops_by_broadcast<Conversation>) {
-            may_cut = conversation.may_cut(asked_unit());
-        } else if constexpr (detail::commanding_conversation<Conversation>) {
-            may_cut = conversation.unit().byte() == asked_unit();
-        }
-        make_way_for(conversation, unit_stopped_by(conversation), may_cut, now);
-    }
-
-    constexpr void make_way_for(asker& who, std::uint8_t unit, bool may_cut, instant now) noexcept
-    {
-        bool const may_drop = may_cut or not reservation_.is_for_stops();
-        // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits: those for
-        // one unit, which give each other up, keep the line from no other.
-        if (not reservation_.is_for_another(unit) and
-            not(reservation_.is_on() and transaction_.awaits_asker(reservation_.is_for_stops()))) {
-            reservation_.begin(turns_, who, unit);
-        }
-        give_up(may_cut, may_drop, now);
-    }
-
-    /// A stop has begun: what has not left for its unit, and is no stop's, does not leave.
-    constexpr void withdraw(std::uint8_t unit, instant now) noexcept
-    {
-        if (asked_unit() == unit and not reservation_.is_for_stops()) {
-            give_up(false, true, now);
-        }
-    }
-
-    constexpr void give_up(bool may_cut, bool may_drop, instant now) noexcept
-    {
-        transaction_.make_way(may_cut, may_drop, now);
-        if (transaction_.was_cut()) {
-            static_cast<void>(transaction_.take_outcome()); // its asker is told that it was cancelled
-            turns_.void_marks();                            // this visit counts once
-        }
-    }
-
-    // Small processors reach what is near with short instructions: what each pass uses stands in front of the transaction,
-    // which ends with the memory of a frame.
-    [[no_unique_address]] detail::turns turns_;
-    bool is_put_off_{false}; ///< a conversation waits for a unit that gets no request now
-    [[no_unique_address]] std::conditional_t<Orders::is_kept, detail::reservation, detail::no_reservation>
-        reservation_{};
-    detail::transaction<Needs> transaction_;
+    [[no_unique_address]] Schedule schedule_;
     instant seen_{0}; ///< the latest `advance`
     [[no_unique_address]] Orders orders_;
 };
-
-/// A client that counts nothing.
-using client = basic_client<usual_needs>;
-
-namespace detail {
-
-/// What a `drive_client` needs.
-template <std::size_t Units> inline constexpr client_needs<> needs_to_drive{.motors = Units};
-
-/// The options of a client that is given none.
-inline constexpr client_options default_client_options{};
-
-/// What a `static_client` and a `static_drive_client` need.
-template <line_timing const& Timing, client_options const& Options, typename Observer, std::size_t Motors>
-inline constexpr client_needs<public_functions, Observer> fixed_needs{
-    .timing = Timing, .options = Options, .motors = Motors};
-
-} // namespace detail
-
-/// The same for conversations that command the motors of up to `Units` units: start, stop, cycle and the like.
-template <std::size_t Units = 1> using drive_client = basic_client<detail::needs_to_drive<Units>>;
-
-/// The same where memory does not matter: its requests and responses may have any size.
-using host_client = basic_client<host_needs>;
-
-/// A client that holds neither its line's times nor its options and is zero-initialised: a `constinit` one has no
-/// constructor to run and no image in flash. Each `Timing` makes code of its own, so it is for boards with one line.
-///
-///     constexpr line_timing timing{19'200, character_format::even_8_1}; // outside of functions
-///     constinit static_client<timing> link;
-template <line_timing const& Timing, client_options const& Options = detail::default_client_options,
-          typename Observer = detail::no_observer>
-using static_client = basic_client<detail::fixed_needs<Timing, Options, Observer, 0>>;
-
-/// The same for conversations that command the motors of up to `Units` units: see `drive_client`.
-template <line_timing const& Timing, std::size_t Units = 1,
-          client_options const& Options = detail::default_client_options, typename Observer = detail::no_observer>
-using static_drive_client = basic_client<detail::fixed_needs<Timing, Options, Observer, Units>>;
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

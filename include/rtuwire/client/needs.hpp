@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a client is for, in one constant: a program pays for nothing that it does not name. With it, how long a client waits
-// and how often it retries. What protects a line, the quarantine of units whose response is outstanding and the watch for
-// echoes, can't be left out.
+// What a client is for, in one constant: a program pays for nothing that it does not name. With it, how long a client waits and
+// how often it retries, and the names of the frequent kinds of clients. What protects a line, the quarantine of units whose
+// response is outstanding and the watch for echoes, can't be left out.
 #pragma once
 
 #include <cstddef>
@@ -177,6 +177,47 @@ inline constexpr auto traced_needs =
                                                                                                Needs.motors);
 
 } // namespace detail
+
+/// See client/client.hpp.
+template <auto const& Needs> class basic_client;
+
+/// A client that counts nothing.
+using client = basic_client<usual_needs>;
+
+namespace detail {
+
+/// What a `drive_client` needs.
+template <std::size_t Units> inline constexpr client_needs<> needs_to_drive{.motors = Units};
+
+/// The options of a client that is given none.
+inline constexpr client_options default_client_options{};
+
+/// What a `static_client` and a `static_drive_client` need.
+template <line_timing const& Timing, client_options const& Options, typename Observer, std::size_t Motors>
+inline constexpr client_needs<public_functions, Observer> fixed_needs{
+    .timing = Timing, .options = Options, .motors = Motors};
+
+} // namespace detail
+
+/// The same for conversations that command the motors of up to `Units` units: start, stop, cycle and the like.
+template <std::size_t Units = 1> using drive_client = basic_client<detail::needs_to_drive<Units>>;
+
+/// The same where memory does not matter: its requests and responses may have any size.
+using host_client = basic_client<host_needs>;
+
+/// A client that holds neither its line's times nor its options and is zero-initialised: a `constinit` one has no
+/// constructor to run and no image in flash. Each `Timing` makes code of its own, so it is for boards with one line.
+///
+///     constexpr line_timing timing{19'200, character_format::even_8_1}; // outside of functions
+///     constinit static_client<timing> link;
+template <line_timing const& Timing, client_options const& Options = detail::default_client_options,
+          typename Observer = detail::no_observer>
+using static_client = basic_client<detail::fixed_needs<Timing, Options, Observer, 0>>;
+
+/// The same for conversations that command the motors of up to `Units` units: see `drive_client`.
+template <line_timing const& Timing, std::size_t Units = 1,
+          client_options const& Options = detail::default_client_options, typename Observer = detail::no_observer>
+using static_drive_client = basic_client<detail::fixed_needs<Timing, Options, Observer, Units>>;
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Which conversation asked last, and which may ask next: in the order in which they visit (`converse` is called for
+// Which conversation asked last, and which may ask next: stops first, and others in the order in which they visit (`converse` is called for
 // them), beginning after the one that was served last. Knows a conversation by the number that it holds; compares no
 // addresses, so that a conversation may be destroyed, moved, or made anew in the same place. So may a client (`emplace` of
 // an optional, a local object of a function that is called again), which its conversations may outlive: each counts from
@@ -211,6 +211,8 @@ private:
 /// unit that it stops: of several that stop one unit, any does.
 class reservation {
 public:
+    static constexpr bool is_kept = true;
+
     constexpr reservation() noexcept = default;
     constexpr reservation(reservation const&) noexcept = default;
 
@@ -262,8 +264,147 @@ private:
 
 /// The line of a client without commanders, for which nobody reserves it.
 struct no_reservation {
+    static constexpr bool is_kept = false;
     [[nodiscard]] static constexpr bool is_on() noexcept { return false; }
     [[nodiscard]] static constexpr bool is_for_stops() noexcept { return false; }
+};
+
+/// The transaction that conversations share: whose request it has, whose turn it is to ask, and for whom the line is reserved.
+/// `Reservation`: of a client without commanders, `no_reservation`.
+template <typename Transaction, typename Reservation> class schedule {
+public:
+    constexpr schedule() noexcept = default;
+    template <typename Timing, typename Options>
+    constexpr schedule(Timing const& its_timing, Options const& its_options) noexcept
+        : transaction_{its_timing, its_options}
+    {}
+
+    [[nodiscard]] constexpr Transaction& transaction() noexcept { return transaction_; }
+    [[nodiscard]] constexpr Transaction const& transaction() const noexcept { return transaction_; }
+    [[nodiscard]] constexpr detail::turns& turns() noexcept { return turns_; }
+    [[nodiscard]] constexpr detail::turns const& turns() const noexcept { return turns_; }
+
+    /// Whether only the asker is missing: see `transaction::awaits_asker`.
+    [[nodiscard]] constexpr bool awaits_asker() const noexcept
+    {
+        return transaction_.awaits_asker(reservation_.is_for_stops());
+    }
+
+    /// Whether a stop comes before all others.
+    [[nodiscard]] constexpr bool is_reserved() const noexcept { return reservation_.is_on(); }
+
+    /// Whether the request has left and others wait already: visits change nothing but the marks of those.
+    [[nodiscard]] constexpr bool needs_no_visit() const noexcept
+    {
+        return transaction_.has_left() and turns_.others_wait() and not reservation_.is_on() and not is_put_off_;
+    }
+
+    /// Some unit gets requests again from here on.
+    constexpr void note_free_unit() noexcept
+    {
+        if (is_put_off_) {
+            is_put_off_ = false;
+            turns_.void_marks();
+            turns_.note_waiting();
+        }
+    }
+
+    /// A conversation's unit gets no request now. The one that asked last has had its turn; others get one later.
+    constexpr turn_result put_off(asker const& who) noexcept
+    {
+        if (not turns_.is_last(who)) {
+            is_put_off_ = true;
+        }
+        return turn_result::passed;
+    }
+
+    /// Whether it is this conversation's turn to ask. While others wait, or for a request that is made at the last moment, the
+    /// line has to be silent first.
+    constexpr bool may_ask(asker& who, bool is_prompt, instant now) noexcept
+    {
+        if (transaction_.is_busy()) {
+            return false;
+        }
+        bool const is_silent = transaction_.is_quiet();
+        if constexpr (Reservation::is_kept) {
+            if (reservation_.is_on() and not reservation_.misses_owner(turns_, who)) {
+                if (is_silent) {
+                    transaction_.wake(now);
+                }
+                return false;
+            }
+            reservation_.end();
+        }
+        if (not turns_.others_wait() and (is_silent or not is_prompt)) {
+            return true;
+        }
+        standing const at = turns_.mark(who);
+        bool const may = is_silent and turns_.opens_turn(at);
+        if (is_silent and not may) {
+            transaction_.wake(now);
+        }
+        return may;
+    }
+
+    /// Whether a request that stops a unit may be sent: it waits for silence, and for the stop of another unit for which the
+    /// line is reserved, but not for its turn.
+    constexpr bool may_stop(asker& who, std::uint8_t unit, instant now) noexcept
+    {
+        if (not is_free()) {
+            return false;
+        }
+        if (reservation_.is_for_another(unit) and not reservation_.misses_owner(turns_, who)) {
+            transaction_.wake(now);
+            return false;
+        }
+        reservation_.use();
+        return true;
+    }
+
+    /// Whether a request would leave in this pass.
+    [[nodiscard]] constexpr bool is_free() const noexcept
+    {
+        return not transaction_.is_busy() and transaction_.is_quiet();
+    }
+
+    /// A conversation visits with a stop request. Until that has left, no other conversation sends; a request under way that
+    /// `may_cut` is given up, unless its response is arriving. Another one is not repeated, and given up where it has not left
+    /// and is no stop's.
+    constexpr void make_way_for(asker& who, std::uint8_t unit, bool may_cut, instant now) noexcept
+    {
+        bool const may_drop = may_cut or not reservation_.is_for_stops();
+        // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits: those for
+        // one unit, which give each other up, keep the line from no other.
+        if (not reservation_.is_for_another(unit) and not(reservation_.is_on() and awaits_asker())) {
+            reservation_.begin(turns_, who, unit);
+        }
+        give_up(may_cut, may_drop, now);
+    }
+
+    /// A stop has begun: what has not left for its unit, and is no stop's, does not leave.
+    constexpr void withdraw(std::uint8_t unit, instant now) noexcept
+    {
+        if (transaction_.asked_unit() == unit and not reservation_.is_for_stops()) {
+            give_up(false, true, now);
+        }
+    }
+
+private:
+    constexpr void give_up(bool may_cut, bool may_drop, instant now) noexcept
+    {
+        transaction_.make_way(may_cut, may_drop, now);
+        if (transaction_.was_cut()) {
+            static_cast<void>(transaction_.take_outcome()); // its asker is told that it was cancelled
+            turns_.void_marks();                            // this visit counts once
+        }
+    }
+
+    // Small processors reach what is near with short instructions: what each pass uses stands in front of the transaction,
+    // which ends with the memory of a frame.
+    [[no_unique_address]] detail::turns turns_;
+    bool is_put_off_{false}; ///< a conversation waits for a unit that gets no request now
+    [[no_unique_address]] Reservation reservation_{};
+    Transaction transaction_;
 };
 
 } // namespace detail

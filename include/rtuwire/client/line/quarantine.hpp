@@ -17,7 +17,8 @@
 //                                                         begins when it has answered all before it
 //
 // A damaged response, or an exception that asks for time, counts as a response. No rule of time can tell apart the
-// responses of a unit that is slower than W and never responded in time.
+// responses of a unit that is slower than W and never responded in time. Apart from the transaction, which has one of these:
+// it holds for units of which no request is under way.
 #pragma once
 
 #include <array>

@@ -186,6 +186,10 @@ public:
     }
 
     [[nodiscard]] constexpr bool is_busy() const noexcept { return phase_ != phase::idle; }
+    [[nodiscard]] constexpr bool has_left() const noexcept
+    {
+        return is_under_way(phase_) and phase_ > phase::handed_out;
+    }
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
     [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return request_.unit(); }
     [[nodiscard]] constexpr duration time_to_send() const noexcept { return request_.time_to_send(line()); }
