@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The table of the step that is due in a cycle: each situation and each step, as it stands beside the code.
-#include <rtuwire/altivar/cyclic/cycle_position.hpp>
+#include <rtuwire/altivar/cyclic/cycle_agenda.hpp>
 
 #include <array>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/altivar/cyclic/cycle_layout.hpp>
+#include <rtuwire/altivar/cyclic/cycle_frames.hpp>
 #include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/registers.hpp>

@@ -2,25 +2,192 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // What a cyclic controller commands, cycle by cycle: words in, words out. It enables a drive only on an order given
-// after the last loss, fault or stop; any of these cancels the order.
+// after the last loss, fault or stop; any of these cancels the order. What it has read of its drive, and the stop that was
+// ordered, stand in front.
 // Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
-#include <rtuwire/altivar/cyclic/cycle_sight.hpp>
-#include <rtuwire/altivar/cyclic/cycle_stop.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
 #include <rtuwire/altivar/procedure/inspection/reference_limits.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/altivar/procedure/outcome.hpp>
+#include <rtuwire/altivar/procedure/procedure.hpp>
+#include <rtuwire/ask/commander.hpp>
+#include <rtuwire/cia402/command.hpp>
 #include <rtuwire/cia402/next_command.hpp>
+#include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
+
+/// The drive as it was read last.
+class cycle_sight {
+public:
+    /// Takes a status word, and whether the motor is at rest.
+    constexpr void take(std::uint16_t status, bool stands) noexcept
+    {
+        bool const was_in_fault = cia402::is_in_fault(state_);
+        status_ = status;
+        state_ = cia402::decode(status);
+        has_read_fault_ = has_read_fault_ or (cia402::is_in_fault(state_) and not was_in_fault);
+        is_known_ = true;
+        has_enabled_ = false;
+        looks_at_rest_ = not stands           ? std::uint8_t{0}
+                         : looks_at_rest_ < 2 ? static_cast<std::uint8_t>(looks_at_rest_ + 1)
+                                              : looks_at_rest_;
+        power_seen_ = power_in(state_);
+    }
+
+    /// The link was lost; `may_run`: the drive may have been running.
+    constexpr void lose(bool may_run) noexcept
+    {
+        was_lost_running_ = may_run;
+        is_known_ = false;
+        looks_at_rest_ = 0;
+        state_ = cia402::state::unknown;
+    }
+
+    /// The drive has to be read before an order.
+    constexpr void forget() noexcept { is_known_ = false; }
+
+    /// The command to run was given, or was not.
+    constexpr void note_command(bool enables) noexcept { has_enabled_ = has_enabled_ or enables; }
+
+    /// What a read found of the motor's power, and whether it found the drive newly in fault; each reported once.
+    constexpr detail::power_seen take_power() noexcept
+    {
+        return std::exchange(power_seen_, detail::power_seen::nothing);
+    }
+    constexpr bool take_fault() noexcept { return std::exchange(has_read_fault_, false); }
+
+    [[nodiscard]] constexpr std::uint16_t status() const noexcept { return status_; }
+    [[nodiscard]] constexpr cia402::state state() const noexcept { return state_; }
+    [[nodiscard]] constexpr bool is_in_fault() const noexcept { return cia402::is_in_fault(state_); }
+    [[nodiscard]] constexpr bool is_remote() const noexcept { return (status_ & remote_bit) != 0; }
+    [[nodiscard]] constexpr bool shows_stop_key() const noexcept { return (status_ & stop_key_bit) != 0; }
+    [[nodiscard]] constexpr bool is_known() const noexcept { return is_known_; }
+    [[nodiscard]] constexpr bool has_enabled() const noexcept { return has_enabled_; }
+    [[nodiscard]] constexpr bool was_lost_running() const noexcept { return was_lost_running_; }
+
+    /// Whether the motor stood at the last two reads.
+    [[nodiscard]] constexpr bool stands() const noexcept { return looks_at_rest_ >= 2; }
+
+    /// Whether the drive takes an order: known, under remote control, and neither in fault nor in a quick stop.
+    [[nodiscard]] constexpr bool is_able() const noexcept
+    {
+        return is_known_ and state_ != cia402::state::unknown and state_ != cia402::state::quick_stop_active and
+               not is_in_fault() and is_remote();
+    }
+
+    /// Whether the motor may turn: with power, in a state that nobody knows, or enabled since the last read.
+    [[nodiscard]] constexpr bool may_turn() const noexcept
+    {
+        bool const has_power = state_ == cia402::state::operation_enabled or
+                               state_ == cia402::state::quick_stop_active or
+                               (state_ == cia402::state::unknown and is_known_);
+        return has_power or has_enabled_;
+    }
+
+private:
+    std::uint16_t status_{0};
+    cia402::state state_{cia402::state::unknown};
+    std::uint8_t looks_at_rest_{0}; ///< in a row, up to 2
+    bool is_known_{false};
+    bool was_lost_running_{false}; ///< it may have been running at the last loss
+    bool has_enabled_{false};      ///< the command to run was given since the state was read
+    detail::power_seen power_seen_{detail::power_seen::nothing};
+    bool has_read_fault_{false};
+};
+
+/// The stop of one drive.
+class cycle_stop {
+public:
+    /// Orders a stop. Another one does not replace a freewheel; DC injection is the ramp here.
+    constexpr void order(stop_by how) noexcept
+    {
+        bool const coasts = is_under_way_ and how_ == stop_by::freewheel;
+        how_ = coasts ? how_ : how;
+        is_under_way_ = true;
+    }
+
+    /// An order to run ends a halt.
+    constexpr void end() noexcept { is_under_way_ = false; }
+
+    /// Takes what was read. A stop has ended where the drive is in a state in which no single word can start it.
+    constexpr void note(cycle_sight const& seen) noexcept
+    {
+        bool const is_low = seen.state() == cia402::state::switch_on_disabled or
+                            seen.state() == cia402::state::not_ready_to_switch_on or
+                            seen.state() == cia402::state::fault;
+        // A halt stays in force in operation; the next order ends it.
+        bool const is_over = is_under_way_ and (is_low or (is_halting(seen) and seen.stands()));
+        has_ended_ = has_ended_ or is_over;
+        is_under_way_ = is_under_way_ and not is_low;
+    }
+
+    /// Whether a stop has ended; reported once.
+    constexpr bool take_end() noexcept { return std::exchange(has_ended_, false); }
+
+    /// Whether a halt was ordered, and is under way.
+    [[nodiscard]] constexpr bool is_halting(cycle_sight const& seen) const noexcept
+    {
+        return is_under_way_ and how_ == stop_by::halt and seen.state() == cia402::state::operation_enabled;
+    }
+
+    /// Whether an order may follow: there is no stop, or a halt whose motor stands.
+    [[nodiscard]] constexpr bool is_over(cycle_sight const& seen) const noexcept
+    {
+        return not is_under_way_ or (is_halting(seen) and seen.stands());
+    }
+
+    /// The control word of a drive that must not run, whether a stop was ordered or not.
+    [[nodiscard]] constexpr std::uint16_t word(cycle_sight const& seen) const noexcept
+    {
+        switch (seen.state()) {
+        case cia402::state::operation_enabled:
+        case cia402::state::quick_stop_active: return word_with_power(seen);
+        case cia402::state::unknown:
+            // An unknown state, or one that can no longer be read, may be "operation enabled".
+            return seen.is_known() or seen.was_lost_running() or is_under_way_ ? word_with_power(seen)
+                                                                               : std::uint16_t{0};
+        case cia402::state::not_ready_to_switch_on:
+        case cia402::state::switch_on_disabled:
+        case cia402::state::ready_to_switch_on:
+        case cia402::state::switched_on:
+        case cia402::state::fault_reaction_active:
+        case cia402::state::fault: break;
+        }
+        // Without power, but perhaps one word away from it: to a state where no single word can start the motor.
+        return seen.has_enabled() ? word_with_power(seen) : std::uint16_t{0};
+    }
+
+private:
+    /// The stop command in operation or in a quick stop. A quick stop, also one by another client, goes on until the
+    /// motor is at rest; only a freewheel ends it.
+    constexpr std::uint16_t word_with_power(cycle_sight const& seen) const noexcept
+    {
+        if (is_halting(seen)) {
+            return cia402::word_of(cia402::command::enable_operation) | detail::halt_bit;
+        }
+        bool const stands = seen.stands() and not seen.has_enabled();
+        if (stands or (is_under_way_ and how_ == stop_by::freewheel)) {
+            return cia402::word_of(cia402::command::disable_voltage);
+        }
+        bool const is_quick =
+            seen.state() == cia402::state::quick_stop_active or (is_under_way_ and how_ == stop_by::quick_stop);
+        return cia402::word_of(is_quick ? cia402::command::quick_stop : cia402::command::switch_on);
+    }
+
+    stop_by how_{stop_by::ramp};
+    bool is_under_way_{false};
+    bool has_ended_{false};
+};
 
 /// The words of a fault reset: the reset bit is low, high, low.
 class reset_edge {
