@@ -76,7 +76,7 @@ namespace {
 /// The thermal state, in percent, behind a full turn of the clock at so much current of 0.1 A.
 constexpr std::int32_t heat_of(std::int32_t current, std::int32_t protection)
 {
-    detail::motor shaft;
+    detail::simulated_motor shaft;
     shaft.inject(duration{0xFFFF'FFFF}, {.rated_current = current, .protection = protection});
     return shaft.thermal_state();
 }

@@ -17,7 +17,6 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/banks.hpp>
-#include <rtuwire/sim/drive/channels.hpp>
 #include <rtuwire/sim/drive/control.hpp>
 #include <rtuwire/sim/drive/image.hpp>
 #include <rtuwire/sim/drive/memory.hpp>
@@ -192,7 +191,7 @@ public:
     {
         return control_.state_machine();
     }
-    [[nodiscard]] constexpr detail::motor const& motor() const noexcept { return motor_; }
+    [[nodiscard]] constexpr simulated_motor const& motor() const noexcept { return motor_; }
     [[nodiscard]] constexpr std::uint16_t fault() const noexcept { return control_.fault(); }
 
 private:
@@ -312,7 +311,7 @@ private:
     {
         now_ = now;
         control_.power_up();
-        motor_ = detail::motor{};
+        motor_ = simulated_motor{};
         link_watchdog_ = link_watchdog{};
         line_ = set().line();
         arrange();
@@ -413,7 +412,7 @@ private:
     memory<Device> memory_{};
     fault_record<Device> faults_{};
     control control_{layout}; ///< the state, and which channel commands
-    detail::motor motor_{};
+    simulated_motor motor_{};
     link_watchdog link_watchdog_{};
     logic_inputs terminals_{};
     line_setting line_{}; ///< in effect

@@ -24,7 +24,7 @@ struct motor_settings {
 };
 
 /// A motor that follows a target.
-class motor {
+class simulated_motor {
 public:
     /// The output frequency, negative in reverse, in mHz.
     [[nodiscard]] constexpr std::int32_t frequency() const noexcept { return static_cast<std::int32_t>(position_); }

@@ -12,7 +12,6 @@
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/sim/drive/channels.hpp>
 #include <rtuwire/sim/drive/control.hpp>
 #include <rtuwire/sim/drive/image.hpp>
 #include <rtuwire/sim/drive/memory.hpp>
@@ -278,7 +277,7 @@ private:
 
 /// Moves a motor for the time `passed`, as demanded.
 template <device_type Device>
-constexpr void drive_motor(motor& shaft, demand<Device> const& asked, bool has_power, duration passed,
+constexpr void drive_motor(simulated_motor& shaft, demand<Device> const& asked, bool has_power, duration passed,
                            motor_settings settings) noexcept
 {
     constexpr std::int64_t fast = 4; ///< of the ramp, as dCF is delivered

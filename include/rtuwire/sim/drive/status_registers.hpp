@@ -12,7 +12,7 @@
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/sim/drive/channels.hpp>
+#include <rtuwire/sim/drive/control.hpp>
 #include <rtuwire/sim/drive/image.hpp>
 #include <rtuwire/sim/drive/motor.hpp>
 #include <rtuwire/sim/drive/parameters.hpp>
@@ -39,7 +39,7 @@ struct appearance {
 };
 
 /// The status word, ETA.
-[[nodiscard]] constexpr std::uint16_t status_word_of(appearance const& seen, motor const& shaft,
+[[nodiscard]] constexpr std::uint16_t status_word_of(appearance const& seen, simulated_motor const& shaft,
                                                      altivar::drive_layout const& layout) noexcept
 {
     std::uint32_t word = status_bits(seen.state);
@@ -57,7 +57,7 @@ struct appearance {
 }
 
 /// The extended status word, ETI. Bits that the drive does not have stay 0.
-[[nodiscard]] constexpr std::uint16_t extended_status_of(appearance const& seen, motor const& shaft,
+[[nodiscard]] constexpr std::uint16_t extended_status_of(appearance const& seen, simulated_motor const& shaft,
                                                          std::uint16_t bits) noexcept
 {
     constexpr unsigned memory = 0, fault_is_gone = 2, motor_turns = 4, injects = 5, changes = 6, accelerates = 9,
@@ -78,7 +78,7 @@ struct appearance {
 }
 
 /// The state of the product, HMIS.
-[[nodiscard]] constexpr std::uint16_t product_state_of(appearance const& seen, motor const& shaft) noexcept
+[[nodiscard]] constexpr std::uint16_t product_state_of(appearance const& seen, simulated_motor const& shaft) noexcept
 {
     constexpr std::uint16_t ready = 2, freewheel = 3, runs = 4, accelerates = 5, slows = 6, in_fault = 23;
     if (cia402::is_in_fault(seen.state)) {
@@ -93,7 +93,7 @@ struct appearance {
 /// The threshold bits, ETI2.
 template <device_type Device>
 [[nodiscard]] constexpr std::uint16_t thresholds_of(image<Device> const& registers, appearance const& seen,
-                                                    motor const& shaft) noexcept
+                                                    simulated_motor const& shaft) noexcept
 {
     constexpr register_index<Device> at{};
     constexpr unsigned reference = 4, frequency = 5, current = 6;
@@ -116,7 +116,8 @@ constexpr void put_either(image<Device>& registers, std::size_t place, std::int6
 
 /// Updates the monitoring registers.
 template <device_type Device>
-constexpr void update_status_registers(image<Device>& registers, appearance const& seen, motor const& shaft) noexcept
+constexpr void update_status_registers(image<Device>& registers, appearance const& seen,
+                                       simulated_motor const& shaft) noexcept
 {
     constexpr register_index<Device> at{};
     constexpr std::int64_t volts_of_mains = 400;
