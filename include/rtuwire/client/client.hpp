@@ -428,7 +428,7 @@ private:
         } else if (at == detail::client_phase::waiting) {
             turns().renew(who);
         }
-        if (schedule_.awaits_asker()) {
+        if (transaction().awaits_asker(schedule_.is_for_stops())) {
             if (is_own) {
                 transaction().get_ready(now);
             } else {

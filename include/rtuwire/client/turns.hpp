@@ -284,13 +284,8 @@ public:
     [[nodiscard]] constexpr detail::turns& turns() noexcept { return turns_; }
     [[nodiscard]] constexpr detail::turns const& turns() const noexcept { return turns_; }
 
-    /// Whether only the asker is missing: see `transaction::awaits_asker`.
-    [[nodiscard]] constexpr bool awaits_asker() const noexcept
-    {
-        return transaction_.awaits_asker(reservation_.is_for_stops());
-    }
-
-    /// Whether a stop comes before all others.
+    /// Whether a request under way that has not left yet is a stop's; whether a stop comes before all others.
+    [[nodiscard]] constexpr bool is_for_stops() const noexcept { return reservation_.is_for_stops(); }
     [[nodiscard]] constexpr bool is_reserved() const noexcept { return reservation_.is_on(); }
 
     /// Whether the request has left and others wait already: visits change nothing but the marks of those.
@@ -375,7 +370,8 @@ public:
         bool const may_drop = may_cut or not reservation_.is_for_stops();
         // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits: those for
         // one unit, which give each other up, keep the line from no other.
-        if (not reservation_.is_for_another(unit) and not(reservation_.is_on() and awaits_asker())) {
+        if (not reservation_.is_for_another(unit) and
+            not(reservation_.is_on() and transaction_.awaits_asker(reservation_.is_for_stops()))) {
             reservation_.begin(turns_, who, unit);
         }
         give_up(may_cut, may_drop, now);
