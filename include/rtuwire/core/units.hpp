@@ -112,82 +112,37 @@ template <typename Dimension, typename Unit, char... Digits> [[nodiscard]] const
 
 inline namespace literals {
 
-template <char... Digits> consteval auto operator""_Hz() noexcept
+template <char... D> consteval auto operator""_Hz() noexcept { return spelled<frequency, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_kHz() noexcept { return spelled<frequency, std::kilo, D...>(); }
+template <char... D> consteval auto operator""_rpm() noexcept { return spelled<rotation, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_A() noexcept { return spelled<current, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_mA() noexcept { return spelled<current, std::milli, D...>(); }
+template <char... D> consteval auto operator""_V() noexcept { return spelled<voltage, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_percent() noexcept { return spelled<proportion, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_s() noexcept { return spelled<time_span, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_h() noexcept { return spelled<operating_time, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_Nm() noexcept { return spelled<torque, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_W() noexcept { return spelled<power, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_kW() noexcept { return spelled<power, std::kilo, D...>(); }
+template <char... D> consteval auto operator""_VA() noexcept { return spelled<apparent_power, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_var() noexcept { return spelled<reactive_power, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_bar() noexcept { return spelled<pressure, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_m3() noexcept { return spelled<volume, std::ratio<1>, D...>(); }
+template <char... D> consteval auto operator""_K() noexcept
 {
-    return spelled<frequency, std::ratio<1>, Digits...>();
+    return spelled<absolute_temperature, std::ratio<1>, D...>();
 }
-template <char... Digits> consteval auto operator""_kHz() noexcept
+template <char... D> consteval auto operator""_kWh() noexcept
 {
-    return spelled<frequency, std::kilo, Digits...>();
+    return spelled<electrical_energy, std::ratio<1>, D...>();
 }
-template <char... Digits> consteval auto operator""_rpm() noexcept
+template <char... D> consteval auto operator""_Wh() noexcept { return spelled<electrical_energy, std::milli, D...>(); }
+template <char... D> consteval auto operator""_celsius() noexcept
 {
-    return spelled<rotation, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_A() noexcept
-{
-    return spelled<current, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_mA() noexcept { return spelled<current, std::milli, Digits...>(); }
-template <char... Digits> consteval auto operator""_V() noexcept
-{
-    return spelled<voltage, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_percent() noexcept
-{
-    return spelled<proportion, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_s() noexcept
-{
-    return spelled<time_span, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_h() noexcept
-{
-    return spelled<operating_time, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_Nm() noexcept
-{
-    return spelled<torque, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_W() noexcept { return spelled<power, std::ratio<1>, Digits...>(); }
-template <char... Digits> consteval auto operator""_kW() noexcept { return spelled<power, std::kilo, Digits...>(); }
-template <char... Digits> consteval auto operator""_VA() noexcept
-{
-    return spelled<apparent_power, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_var() noexcept
-{
-    return spelled<reactive_power, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_bar() noexcept
-{
-    return spelled<pressure, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_m3() noexcept
-{
-    return spelled<volume, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_K() noexcept
-{
-    return spelled<absolute_temperature, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_kWh() noexcept
-{
-    return spelled<electrical_energy, std::ratio<1>, Digits...>();
-}
-template <char... Digits> consteval auto operator""_Wh() noexcept
-{
-    return spelled<electrical_energy, std::milli, Digits...>();
-}
-template <char... Digits> consteval auto operator""_celsius() noexcept
-{
-    return spelled<temperature, std::ratio<1>, Digits...>();
+    return spelled<temperature, std::ratio<1>, D...>();
 }
 /// A plain number for a register without a unit.
-template <char... Digits> consteval auto operator""_raw() noexcept
-{
-    return spelled<dimensionless, std::ratio<1>, Digits...>();
-}
+template <char... D> consteval auto operator""_raw() noexcept { return spelled<dimensionless, std::ratio<1>, D...>(); }
 
 } // namespace literals
 
