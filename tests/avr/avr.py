@@ -25,7 +25,7 @@ FLAGS = ["--target=avr", "-mmcu=atmega2560", "-std=c++20", "-fsyntax-only", "-ff
 PROOFS = """core/bytes core/crc16 core/crc16_forms core/hex core/literal core/quantity core/time core/units
  core/version
  trace/capture/pcapng_writer wire/adu wire/functions wire/golden_requests wire/golden_responses wire/response wire/sizes wire/views
- rtu/foreign_exchange rtu/framer_place rtu/framer rtu/framer_silence rtu/framer_stream
+ wire/foreign_exchange rtu/framer_place rtu/framer rtu/framer_silence rtu/framer_stream
  table/device table/enumeration table/plans table/snapshot table/write_plan cia402/state cia402/transition
  server/register_bank server/corners server/identification server/respond server/serial_diagnostics server/server
  server/typed_bank ask/access ask/wide_registers table/form/word_orders client/statistics

@@ -17,8 +17,8 @@
 // may end there or one byte later: a byte 00 is then the last, any other begins the next frame. Done: a frame, or why
 // the bytes are none; what was not polled when the next byte arrives is dropped.
 //
-// Apart are rtu/foreign_exchange.hpp, what a server guesses of other stations, which no table of states tells, and the sum
-// of a frame, which is core/crc16.hpp's.
+// Apart are what the bytes tell of a frame's length, those between other stations too, which is wire/functions.hpp's, and
+// its sum, which is core/crc16.hpp's.
 #pragma once
 
 #include <array>
@@ -31,7 +31,6 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/foreign_exchange.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>

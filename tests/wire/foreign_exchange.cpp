@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What may be the response that is expected, and what may be a request in its place.
-#include <rtuwire/rtu/foreign_exchange.hpp>
+#include <rtuwire/wire/functions.hpp>
 
 #include "support/proof.hpp"
 
