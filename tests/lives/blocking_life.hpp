@@ -143,9 +143,8 @@ private:
 class blocking_life {
 public:
     blocking_life(life_setting const& how, tally& counts, bool prints)
-        : how_{how}, counts_{counts}, chance_{how.seed * 40'503U + 1U}, port_{how_, {prints}}, line_{port_,
-                                                                                                     how.timing(),
-                                                                                                     how.options}
+        : how_{how}, counts_{counts}, chance_{how.seed * 40'503U + 1U}, habits_{how.seed * 2'246'822'519U + 3U},
+          port_{how_, {prints}}, line_{port_, how.timing(), how.options}
     {}
 
     bool live()
@@ -229,6 +228,16 @@ private:
     /// unit for 2 s only: its own time-out ends the rest.
     template <typename Stop> void run_stop(Stop&& stop, duration limit)
     {
+        run_once(stop, limit);
+        while (not wrong_ and habits_.below(4) == 0) { // it begins anew
+            counts_.note(event::used_again);
+            port_.pass(habits_.below(12'000'000));
+            run_once(stop, limit);
+        }
+    }
+
+    template <typename Stop> void run_once(Stop& stop, duration limit)
+    {
         counts_.note(event::run_stop);
         moment const begun = port_.time();
         unsigned const words = port_.stop_words(), failed = port_.failed();
@@ -264,6 +273,7 @@ private:
     life_setting how_;
     tally& counts_;
     detail::random_source chance_;
+    detail::random_source habits_; ///< of who runs a stop again
     failing_port port_;
     blocking_client<failing_port> line_;
     std::optional<breach> wrong_{};

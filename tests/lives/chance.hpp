@@ -16,6 +16,7 @@ template <typename Link> class whole_life : public user<Link> {
     using base::chance_;
     using base::counts_;
     using base::everyone_;
+    using base::habits_;
     using base::how_;
     using base::is_dead_;
     using base::link_;
@@ -41,6 +42,9 @@ public:
             base::pass(any_time());
         }
         end();
+        if (not is_dead_ and habits_.below(3) == 0) {
+            visit_on();
+        }
         bool const has_wrapped = std::uint64_t{how_.start_count} + now_ > 0xFFFF'FFFFU;
         if (has_wrapped) {
             counts_.note(event::clock_wrap);
@@ -206,12 +210,11 @@ private:
     void switch_controller()
     {
         counts_.note(event::controller_power_cycle);
-        base::is_left_out_ = false;
         said_.say("the controller is switched off and on");
         for (slot& each : slots_) {
             each.what.template emplace<std::monostate>();
         }
-        everyone_.template emplace<std::monostate>();
+        everyone_.fill({});
         link_ = base::make_link();
         // A drive may still answer what was asked before.
         duration const longest =
@@ -264,6 +267,49 @@ private:
             static_cast<void>(encode_into(frame, to, write_single_register{address, word}));
         }
         base::say_as_another(frame);
+    }
+
+    /// For minutes: what has ended is visited on, beside what has not, or for a while it is not.
+    void visit_on()
+    {
+        counts_.note(event::visited_on);
+        said_.now = now_;
+        said_.say("it goes on for minutes");
+        restore_all();
+        moment const end = now_ + 240'000'000;
+        for (unsigned rounds = 2 + chance_.below(8); rounds != 0 and now_ < end and not wrong_; --rounds) {
+            std::size_t const place = chance_.below(slots);
+            std::size_t const unit = chance_.below(static_cast<std::uint32_t>(how_.drives));
+            switch (chance_.below(10)) {
+            case 0: base::begin_start(place, unit); break;
+            case 1:
+            case 2:
+            case 3: base::begin_stop(place, unit, chance_.below(2) == 0 ? a::stop_by::halt : base::any_way()); break;
+            case 4: base::begin_poll(place, unit); break;
+            case 5:
+                base::stop_all();
+                base::stop_all_beside();
+                break;
+            case 6: let_another_speak(*nodes_[unit], unit); break;
+            case 7: pause(); break;
+            default: base::destroy(place); break;
+            }
+            base::pass(chance_.below(2) == 0 ? any_time() : chance_.below(60'000'000));
+        }
+    }
+
+    /// Some of what has ended is not visited until the next pause.
+    void pause()
+    {
+        for (std::size_t place = 0; place < slots; ++place) {
+            slot& own = slots_[place];
+            bool const holds_motor = nodes_[own.unit]->law.has_order_of(place);
+            own.is_paused = own.has_told and not own.asks_again and not holds_motor and chance_.below(2) == 0;
+            if (own.is_paused) {
+                counts_.note(event::not_visited_for_a_while);
+                said_.say("place %zu is not visited for a while", place);
+            }
+        }
     }
 
     // The last part.

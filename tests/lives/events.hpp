@@ -18,6 +18,7 @@ enum class event : unsigned {
     stopped_by_halt,
     stopped_by_dc_injection,
     stopped_everyone,
+    stopped_everyone_twice,
     freed_everyone,
     cycle_begun,
     cycle_ran,
@@ -44,6 +45,9 @@ enum class event : unsigned {
     released,
     released_at_once,
     used_again,
+    visited_behind_its_end,
+    visited_on,
+    not_visited_for_a_while,
     asked_beyond_limits,
     left_out_of_a_stop_of_everyone,
     named_otherwise,
@@ -94,6 +98,7 @@ inline constexpr std::array<char const*, event_count> event_names{
     "stops by halt",
     "stops by DC injection",
     "stops of everyone",
+    "stops of everyone beside one that was under way",
     "broadcasts that free every motor",
     "cycles",
     "orders to a cycle",
@@ -120,6 +125,9 @@ inline constexpr std::array<char const*, event_count> event_names{
     "units released from a stop that was given up",
     "units released right behind a stop that was given up",
     "conversations that had ended and were used again",
+    "visits of conversations that had ended",
+    "lives that went on for minutes",
+    "pauses in the visits of a conversation that had ended",
     "references beyond a drive's limits",
     "stops of everyone that do not name a drive that was ordered",
     "drives in their I/O profile, under any name",
@@ -177,6 +185,9 @@ enum class breach : unsigned {
     stopped_late,
     deaf,
     waited_longer,
+    ended_unsaid,
+    enabled_while_all_stop,
+    spoke_behind_its_end,
     count,
 };
 
@@ -200,6 +211,9 @@ inline constexpr std::array<char const*, breach_count> breach_names{
     "a stop whose word, and its look, were not sent at once",
     "a unit that hears and never responds",
     "a wait of a blocking client that lasted longer than a moment",
+    "what had ended did not say so at its next visit",
+    "a word that enables left while a stop of everyone was under way",
+    "a frame left that nothing asked for which had not ended",
 };
 
 /// All that was counted.

@@ -25,7 +25,9 @@ using namespace detail;
 /// Microseconds since a life began.
 using moment = std::uint64_t;
 
-inline constexpr std::size_t places = 5; ///< for conversations; the last one is for a stop of everyone
+inline constexpr std::size_t most_stops_of_everyone = 2;
+inline constexpr std::size_t places =
+    4 + most_stops_of_everyone; ///< for conversations; the last ones are for stops of everyone
 
 class judge {
 public:
@@ -76,9 +78,9 @@ public:
         for_each_order([](order& each) { each.was_there = false; });
     }
     /// A stop of everyone does not name this drive: its broadcasts may be for another family, and nobody follows up.
-    void note_left_out(moment now)
+    void note_left_out(std::size_t place, moment now)
     {
-        note_stop(places - 1, now, false);
+        note_stop(place, now, false);
         last_missed_ = now;
     }
     /// The user was told that an order is over.
@@ -128,10 +130,10 @@ public:
         }
     }
     /// A stop of everyone was given up.
-    void note_left(moment now)
+    void note_left(std::size_t place, moment now)
     {
         note_word_given_up();
-        take_back_stop(places - 1) ? void() : leave_or_forget(now);
+        take_back_stop(place) ? void() : leave_or_forget(now);
     }
     /// One broadcast was to free all motors, and this drive may not have heard it. It counts as a stop that
     /// ended when it was taken (engine rule 41): orders that were given since it began may count, and so does a halt.

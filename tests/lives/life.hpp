@@ -15,7 +15,7 @@ namespace rtuwire::lives {
 
 using namespace detail;
 
-inline constexpr std::size_t slots = places - 1;
+inline constexpr std::size_t slots = places - most_stops_of_everyone;
 
 using life_bus = bus<slots>;
 using life_client = drive_client<slots>;
@@ -27,6 +27,7 @@ struct slot {
     moment began{0};
     bool has_told{false}; ///< its end was looked at
     bool is_away{false};
+    bool is_paused{false}; ///< it has ended, and is not visited for a while
     bool asks_again{false};
     bool is_visited{false}; ///< since it was made, or used again
     moment pace{0};         ///< of a poll, from one request to the next
@@ -35,12 +36,23 @@ struct slot {
     asked_motion asked{}; ///< by a change of the reference
 };
 
+/// A stop of everyone in its place.
+struct slot_of_everyone {
+    everyone what{};
+    bool is_left_out{false}; ///< a drive that was ordered
+    bool has_told{false};    ///< its end was looked at
+    bool stays{false};       ///< it is visited behind its end, too
+    bool is_last{false};     ///< it is visited behind all others
+    bool holds{false};       ///< it was visited, and has not ended
+};
+
 template <typename Link> class life {
 public:
     static constexpr bool has_slots = std::is_same_v<Link, life_bus>;
 
     life(life_setting const& how, tally& counts, bool prints)
-        : how_{how}, counts_{counts}, chance_{how.seed * 40'503U + 1U}, link_{make_link()}, said_{prints}
+        : how_{how}, counts_{counts}, chance_{how.seed * 40'503U + 1U}, habits_{how.seed * 2'246'822'519U + 3U},
+          link_{make_link()}, said_{prints}
     {
         for (std::size_t i = 0; i < how.drives; ++i) {
             nodes_.push_back(std::make_unique<node>(how_, how_.drive[i], at(), counts));
@@ -148,16 +160,16 @@ protected:
     life_setting how_;
     tally& counts_;
     detail::random_source chance_;
+    detail::random_source habits_; ///< of who visits what has ended
     Link link_;
     chronicle said_;
     std::vector<std::unique_ptr<node>> nodes_{};
     std::array<slot, slots> slots_{};
-    everyone everyone_{};
+    std::array<slot_of_everyone, most_stops_of_everyone> everyone_{};
     std::optional<breach> wrong_{};
     moment now_{0};
-    bool is_left_out_{false}; ///< a drive that was ordered, of a stop of everyone
-    bool is_dead_{false};     ///< the controller
-    bool is_asleep_{false};   ///< its program
+    bool is_dead_{false};   ///< the controller
+    bool is_asleep_{false}; ///< its program
 
 private:
     std::size_t index_of(node const& which) const { return nodes_[0].get() == &which ? 0U : 1U; }
@@ -229,48 +241,69 @@ private:
 
     void converse(instant now)
     {
-        std::visit(
-            [&](auto& all) {
-                if constexpr (not std::is_same_v<std::decay_t<decltype(all)>, std::monostate>) {
-                    if constexpr (has_slots) {
-                        link_.run_urgent(all, now);
-                    } else {
-                        link_.converse(all, now);
-                    }
-                    if (all.settled()) {
-                        everyone_is_told(all);
-                    }
-                }
-            },
-            everyone_);
-        if (std::holds_alternative<a::broadcast_stop<1>>(everyone_) or
-            std::holds_alternative<a::broadcast_stop<2>>(everyone_)) {
-            if (is_everyone_told_) {
-                everyone_.template emplace<std::monostate>();
-                is_everyone_told_ = false;
-            }
-        }
+        converse_with_everyone(false, now);
         for (std::size_t i = 0; i < slots; ++i) {
             std::visit([&](auto& what) { converse(i, what, now); }, slots_[i].what);
         }
+        converse_with_everyone(true, now);
     }
 
-    template <typename All> void everyone_is_told(All& all)
+    /// Whether a stop of everyone is under way, as the client knows.
+    bool do_all_stop() const
     {
-        is_everyone_told_ = true;
+        return std::any_of(everyone_.begin(), everyone_.end(), [](slot_of_everyone const& each) { return each.holds; });
+    }
+
+    void converse_with_everyone(bool are_last, instant now)
+    {
+        for (slot_of_everyone& each : everyone_) {
+            if (each.is_last == are_last) {
+                std::visit([&](auto& all) { converse(each, all, now); }, each.what);
+            }
+            if (each.has_told and not each.stays) {
+                each = {};
+            }
+        }
+    }
+
+    static void converse(slot_of_everyone&, std::monostate, instant) {}
+    template <typename All> void converse(slot_of_everyone& own, All& all, instant now)
+    {
+        if constexpr (has_slots) {
+            link_.run_urgent(all, now);
+        } else {
+            link_.converse(all, now);
+        }
+        own.holds = not all.settled();
+        if (own.has_told) {
+            hear_the_ended(all.reason(0).kind == a::outcome_kind::used_already and not all.succeeded(), 0);
+        } else if (all.settled()) {
+            own.has_told = true;
+            everyone_is_told(own, all);
+        }
+    }
+
+    template <typename All> void everyone_is_told(slot_of_everyone const& own, All& all)
+    {
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            if (all.reason(i).kind == a::outcome_kind::succeeded or (all.succeeded() and is_left_out_)) {
+            if (all.reason(i).kind == a::outcome_kind::succeeded or (all.succeeded() and own.is_left_out)) {
                 accuse(nodes_[i]->law.told_to_stand(false), i);
             }
         }
-        is_left_out_ = false;
+    }
+
+    /// What has ended was visited once more: it says so (L18).
+    void hear_the_ended(bool says_so, std::size_t unit)
+    {
+        counts_.note(event::visited_behind_its_end);
+        accuse(says_so ? std::nullopt : std::optional{breach::ended_unsaid}, unit);
     }
 
     void converse(std::size_t, std::monostate, instant) {}
     template <typename Conversation> void converse(std::size_t place, Conversation& what, instant now)
     {
         slot& own = slots_[place];
-        if (own.is_away) {
+        if (own.is_away or own.is_paused) {
             return;
         }
         if constexpr (has_slots) {
@@ -279,7 +312,21 @@ private:
             link_.converse(what, now);
         }
         own.is_visited = true;
+        if (own.has_told) {
+            hear_the_ended(says_that_it_ended(what), own.unit);
+        }
         hear(place, own, what);
+    }
+
+    template <typename Conversation> static bool says_that_it_ended(Conversation const& what)
+    {
+        if constexpr (is_cyclic<Conversation>) {
+            return true; // it never ends
+        } else if constexpr (std::is_base_of_v<finite_conversation, Conversation>) {
+            return what.settled() and what.outcome().error() == errc::used_already;
+        } else {
+            return what.settled() and what.reason().kind == a::outcome_kind::used_already;
+        }
     }
 
     /// What the user of a conversation is told.
@@ -392,6 +439,19 @@ private:
         }
     }
 
+    /// Whether something that has not ended may ask a unit; 0: all of them.
+    bool is_asked_for(std::uint8_t address) const
+    {
+        bool const by_everyone = std::any_of(everyone_.begin(), everyone_.end(), [](slot_of_everyone const& each) {
+            return each.what.index() != 0 and not each.has_told;
+        });
+        return by_everyone or std::any_of(slots_.begin(), slots_.end(), [&](slot const& each) {
+                   bool const frees_all = std::holds_alternative<freewheel>(each.what);
+                   bool const is_meant = address == 0 ? frees_all : how_.drive[each.unit].address == address;
+                   return is_meant and each.what.index() != 0 and not each.has_told and not each.is_away;
+               });
+    }
+
     /// The controller's frame, where it has one.
     bool ask()
     {
@@ -407,11 +467,18 @@ private:
         link_.sent(at());
         last_asked_ = now_;
         is_answered_ = frame[0] == std::byte{0};
+        if (not is_asked_for(to_u8(frame[0]))) {
+            accuse(breach::spoke_behind_its_end, 0);
+        }
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             node& each = *nodes_[i];
             bool const is_meant = frame[0] == std::byte{0} or frame[0] == std::byte{how_.drive[i].address};
             bool const is_missed = frame[0] == std::byte{0} and std::exchange(each.misses_broadcast, false);
             bool const is_lost = (is_meant ? each.loses(true, chance_) : each.lost.requests) or is_missed;
+            auto const word = control_word_in(frame, each.drive->profile());
+            if (is_meant and do_all_stop() and word and enables(*word, each.drive->profile())) {
+                accuse(breach::enabled_while_all_stop, i);
+            }
             if (is_meant) {
                 said_.frame("->", frame, is_lost ? "  lost" : "", &each);
                 accuse(each.law.note_request(frame, now_, not is_lost), i);
@@ -558,7 +625,9 @@ private:
             for (slot& each : slots_) {
                 std::visit([&](auto& what) { add_to(next, each, what); }, each.what);
             }
-            std::visit([&](auto& all) { add_all_to(next, all); }, everyone_);
+            for (slot_of_everyone& each : everyone_) {
+                std::visit([&](auto& all) { add_all_to(next, all); }, each.what);
+            }
         }
         moment soon = end;
         for (slot const& each : slots_) {
@@ -592,7 +661,7 @@ private:
     template <typename Conversation> static void add_to(earliest& next, slot& own, Conversation& what)
     {
         if constexpr (timed_conversation<Conversation>) {
-            if (not own.is_away) {
+            if (not own.is_away and not own.is_paused) {
                 next.add(what.poll_deadline());
             }
         }
@@ -604,7 +673,6 @@ private:
     moment quiet_since_{0}; ///< the end of the last frame
     unsigned stalls_{0};
     bool is_answered_{true};
-    bool is_everyone_told_{false};
 };
 
 } // namespace rtuwire::lives

@@ -142,6 +142,14 @@ DEFECTS = [
     Defect("a start goes by its reference as it wrote it", [
         (START, "if (control != control_ or standing != told_.word) {", "static_cast<void>(standing);\n        if (control != control_) {"),
     ], {"a start sent its word", "a start that was done"}),
+    Defect("what has ended says more where something befell its unit", [
+        (RUNNER, """        if (settled()) {
+            return std::nullopt; // whatever befell its unit since
+        }
+""", "")], {"what had ended", "a frame left"}),
+    Defect("an order enables a unit while a stop of everyone is under way", [
+        (ORDERS, "if (own.holder != 0 or all_.stamp() != 0 or is_late) {", "if (own.holder != 0 or is_late) {")],
+        {"a word that enables left while"}),
 ]
 
 

@@ -15,6 +15,7 @@ protected:
     using base::chance_;
     using base::counts_;
     using base::everyone_;
+    using base::habits_;
     using base::how_;
     using base::link_;
     using base::nodes_;
@@ -55,7 +56,7 @@ public:
         case 17:
         case 18: return begin_poll(place, unit);
         case 19: return save_or_configure(place, unit);
-        case 20: return stop_all();
+        case 20: stop_all(); return habits_.below(3) == 0 ? stop_all_beside() : void();
         case 21: return cancel(place);
         case 22: return destroy(place);
         default: return stay_away_or_release(place, unit);
@@ -128,7 +129,7 @@ protected:
         own.unit = unit;
         own.began = now_;
         own.has_told = false;
-        own.is_away = false;
+        own.is_away = own.is_paused = false;
         own.asks_again = false;
         own.is_visited = false;
         own.pace = own.due = 0;
@@ -150,7 +151,9 @@ protected:
     void note_order(std::size_t place, asked_motion asked, bool is_by_cycle)
     {
         std::size_t const unit = slots_[place].unit;
-        bool is_alone = everyone_.index() == 0;
+        bool is_alone = std::none_of(everyone_.begin(), everyone_.end(), [](slot_of_everyone const& each) {
+            return each.what.index() != 0 and not each.has_told;
+        });
         for (std::size_t i = 0; i < slots; ++i) {
             slot const& each = slots_[i];
             bool const is_other = i != place and each.unit == unit and each.what.index() != 0;
@@ -247,7 +250,7 @@ protected:
             said_.now = now_;
             said_.say("place %zu is used again", place);
             what.again();
-            own.has_told = own.is_visited = false;
+            own.has_told = own.is_visited = own.is_paused = false;
             own.began = now_;
             law_of(own.unit).note_company(place);
         }
@@ -393,40 +396,61 @@ protected:
         }
     }
 
-    void stop_all()
+    void stop_all() { begin_stop_of_all(0, chance_); }
+
+    /// Another part of the program stops everyone beside it.
+    void stop_all_beside()
     {
+        base::pass(habits_.below(habits_.below(2) == 0 ? 20'000 : 800'000));
+        begin_stop_of_all(1, habits_);
+        counts_.note(event::stopped_everyone_twice);
+    }
+
+    void begin_stop_of_all(std::size_t which, detail::random_source& chance)
+    {
+        slot_of_everyone& own = everyone_[which];
+        std::size_t const place = slots + which;
+        own = {};
+        own.stays = habits_.below(2) == 0;
+        own.is_last = not base::has_slots and habits_.below(4) == 0; // else before all others, as it is to be visited
         counts_.note(event::stopped_everyone);
-        a::broadcast_stop_options const options{
-            .freewheel = chance_.below(2) == 0, .cuts_short = chance_.below(4) == 0, .last_after = milliseconds(400)};
+        a::broadcast_stop_options const options{.freewheel = chance.below(2) == 0,
+                                                .cuts_short = chance.below(4) == 0,
+                                                .last_after = milliseconds(which != 0 ? 20U
+                                                                           : habits_.below(3) == 0
+                                                                               ? 2'000U
+                                                                               : 400U)}; // the later one may end first
         // A drive that this controller did not order nobody stops who does not name it.
-        bool const is_one_left_out = how_.drives == 2 and law_of(1).is_ordered() and chance_.below(2) == 0;
-        base::is_left_out_ = is_one_left_out;
+        bool const is_one_left_out = how_.drives == 2 and law_of(1).is_ordered() and chance.below(2) == 0;
+        own.is_left_out = is_one_left_out;
         if (is_one_left_out) {
             counts_.note(event::left_out_of_a_stop_of_everyone);
         }
         with_device(set_of(0).called, [&]<typename First>(First) {
             auto const first = station_of<First>(set_of(0));
             if (how_.drives == 1 or is_one_left_out) {
-                everyone_.template emplace<a::broadcast_stop<1>>(options, first);
+                own.what.template emplace<a::broadcast_stop<1>>(options, first);
             } else {
                 with_device(set_of(1).called, [&]<typename Second>(Second) {
-                    everyone_.template emplace<a::broadcast_stop<2>>(options, first, station_of<Second>(set_of(1)));
+                    own.what.template emplace<a::broadcast_stop<2>>(options, first, station_of<Second>(set_of(1)));
                 });
             }
         });
         said_.now = now_;
         said_.say("stop of everyone");
         for (std::size_t i = 0; i < how_.drives; ++i) {
-            is_one_left_out and i == 1 ? law_of(i).note_left_out(now_) : law_of(i).note_stop(slots, now_, false);
+            is_one_left_out and i == 1 ? law_of(i).note_left_out(place, now_) : law_of(i).note_stop(place, now_, false);
         }
     }
 
     void destroy_everyone()
     {
-        everyone_.template emplace<std::monostate>();
-        base::is_left_out_ = false;
-        for (std::size_t i = 0; i < how_.drives; ++i) {
-            law_of(i).note_left(now_);
+        for (std::size_t which = 0; which < everyone_.size(); ++which) {
+            bool const is_under_way = everyone_[which].what.index() != 0 and not everyone_[which].has_told;
+            everyone_[which] = {};
+            for (std::size_t i = 0; is_under_way and i < how_.drives; ++i) {
+                law_of(i).note_left(slots + which, now_);
+            }
         }
     }
 
