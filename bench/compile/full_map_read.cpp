@@ -10,4 +10,4 @@ using namespace rtuwire::altivar;
 
 constexpr station<atv320::full_device> drive{unit_id{2}};
 
-auto ask() { return read<atv320::sp2>(drive); }
+auto ask() { return read<atv320::parameter<"SP2">>(drive); }

@@ -10,7 +10,7 @@ using namespace rtuwire::altivar;
 
 result<std::uint16_t> read_one(station<atv320::full_device> const& drive, client& link, instant now)
 {
-    auto conversation = read<atv320::sp2>(drive);
+    auto conversation = read<atv320::parameter<"SP2">>(drive);
     link.converse(conversation, now);
     link.converse(conversation, now);
     if (not conversation.outcome()) {

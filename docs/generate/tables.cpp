@@ -60,8 +60,8 @@ void print_meanings(std::string_view drive, tool::register_entry const& entry)
             row("bit", drive, entry.code, bit, entry.bits[bit]);
         }
     }
-    for (rtuwire::named_value const& each : entry.names) {
-        row("value", drive, entry.code, each.value, tool::text_of(entry, each.value));
+    for (rtuwire::choice const& each : entry.values()) {
+        row("value", drive, entry.code, each.word, tool::text_of(entry, each.word));
     }
 }
 

@@ -97,7 +97,7 @@ template <typename Line> bool restore_all(Line& line, configuration const& wante
 int main()
 {
     auto old_drive = bench_of_a_drive();
-    static_cast<void>(old_drive.run(write<atv320::sp2>(drive, 12.5_Hz)));
+    static_cast<void>(old_drive.run(write<atv320::parameter<"SP2">>(drive, 12.5_Hz)));
     configuration const saved = read_all(old_drive);
 
     auto new_drive = bench_of_a_drive();

@@ -50,7 +50,7 @@ int main(int argc, char** argv)
         return show_limits(argv[1]) ? 0 : 1;
     }
     //! [typed]
-    std::cout << decihertz{highest<atv320::sp2>()} << '\n'; // 599.0 Hz: of a register with a type
+    std::cout << decihertz{highest<atv320::parameter<"SP2">>()} << '\n'; // 599.0 Hz: of a register with a type
     //! [typed]
     bool const is_unknown = not show_limits("SP99");
     return show_limits("SP2") and show_limits("HSP") and is_unknown ? 0 : 1;

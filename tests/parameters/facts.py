@@ -27,6 +27,11 @@ class Fact:
     values: str   # of an enumeration "0=nO;1=YES", of a word of bits "0;3;15"
 
     @property
+    def tells_nothing(self):
+        """Whether no more is known than that there is a register: it is no parameter."""
+        return not any((self.access, self.unit, self.has_scale, self.least, self.most, self.factory, self.values))
+
+    @property
     def has_scale(self):
         return self.scale not in ("", "?")
 

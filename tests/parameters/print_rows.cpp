@@ -44,21 +44,23 @@ void print(bound const& limit)
     }
 }
 
-void print(std::span<named_value const> values)
+void print(std::span<choice const> all, literal choice::*name)
 {
     bool is_first = true;
-    for (named_value const& each : values) {
-        std::cout << (is_first ? "" : ";") << each.value << '=' << std::string_view{each.name};
-        is_first = false;
+    for (choice const& each : all) {
+        if ((each.*name).size() != 0) {
+            std::cout << (is_first ? "" : ";") << each.word << '=' << std::string_view{each.*name};
+            is_first = false;
+        }
     }
 }
 
 void print(parameter_map const& map, std::string_view part)
 {
     map.for_each([part](parameter const& row, parameter_group const& group) {
-        parameter_type const& type = *row.type;
+        parameter_type const& type = *row.type.operator->();
         std::cout << part << '\t' << std::string_view{group.name} << '\t' << std::string_view{row.code} << '\t'
-                  << row.address << '\t' << text(row.mode) << '\t' << text(row.source) << '\t' << text(type.kind)
+                  << row.address << '\t' << text(row.mode()) << '\t' << text(row.source()) << '\t' << text(type.kind)
                   << '\t' << std::string_view{type.unit} << '\t' << type.step_numerator << '/' << type.step_denominator
                   << '\t';
         print(row.min);
@@ -69,9 +71,9 @@ void print(parameter_map const& map, std::string_view part)
             std::cout << *row.factory;
         }
         std::cout << '\t';
-        print(type.mnemonics);
+        print(row.listed(), &choice::mnemonic);
         std::cout << '\t';
-        print(type.meanings);
+        print(row.choices(), &choice::meaning);
         std::cout << '\t' << std::string_view{row.steps_set_by} << '\t' << std::string_view{row.name} << '\n';
     });
 }

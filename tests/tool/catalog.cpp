@@ -104,9 +104,10 @@ TEST_CASE("the catalog has all registers of all drives, each once, in the order 
 
 TEST_CASE("the catalog has the parameters of the public lists, each with its row and its group")
 {
-    // Numbers of the lists: facts/registers_public.csv, and what the manuals have besides.
+    // Numbers of the lists: facts/registers_public.csv, and what the manuals have besides. Of 165 registers of the ATV320
+    // nothing but their addresses is known: these are none.
     CHECK(tool::catalog_named("atv12")->registers.size() == 241);
-    CHECK(tool::catalog_named("atv320")->registers.size() == 1014);
+    CHECK(tool::catalog_named("atv320")->registers.size() == 1014 - 165);
     CHECK(tool::catalog_named("atv310_2026")->registers.size() == 97);
     CHECK(tool::catalog_named("atv310")->registers.size() == 97 - 16); // without the later scanner words
     for (tool::drive_catalog const* const drive : tool::all_catalogs()) {
@@ -116,7 +117,7 @@ TEST_CASE("the catalog has the parameters of the public lists, each with its row
             CHECK(codes.insert(each.code).second);
             REQUIRE(each.row != nullptr);
             CHECK((each.row->address == each.address and std::string_view{each.row->code} == each.code));
-            CHECK((each.row->mode == each.mode and not each.group.empty()));
+            CHECK((each.row->mode() == each.mode and not each.group.empty()));
             CHECK((each.source != provenance::doubtful or not drive->map.by_code(each.code)->is_writable() or
                    each.is_writable()));
         }
@@ -200,8 +201,8 @@ TEST_CASE("no two values or bits of a register have one name")
         for (tool::register_entry const& each : drive->registers) {
             INFO(drive->name << ' ' << each.code);
             std::set<std::string> names;
-            for (named_value const& value : each.names) {
-                CHECK(names.insert(string_of(value.name)).second);
+            for (choice const& value : each.values()) {
+                CHECK(names.insert(string_of(value.mnemonic)).second);
             }
             for (std::string_view const bit : each.bits) {
                 CHECK((bit.empty() or names.insert(std::string{bit}).second));

@@ -3,7 +3,6 @@
 //
 // The catalogs that frames are explained by, of the registers that the page's drives have. With all parameters of the command line
 // tool's catalogs the module would be twice as large.
-#include "catalog/catalog_drives.hpp"
 #include "catalog/catalog_of.hpp"
 
 #include <algorithm>
@@ -22,7 +21,9 @@ namespace {
 /// them would be a twentieth of the module.
 template <auto const&... Registers> constexpr auto sorted(rtuwire::table<Registers...>)
 {
-    std::array<register_entry, sizeof...(Registers)> all{entry_of(Registers)...};
+    std::array<register_entry, sizeof...(Registers)> all{
+        entry_of(rtuwire::altivar::row_of(Registers, rtuwire::altivar::roles::ordinary),
+                 names_in_type<rtuwire::value_of<Registers>>())...};
     for (register_entry& each : all) {
         each.name = {};
         each.mode = {};
@@ -44,13 +45,13 @@ template <typename Drive> drive_catalog const& small_catalog()
 
 } // namespace
 
-drive_catalog const& catalog_of_atv12() noexcept { return small_catalog<rtuwire::altivar::atv12::device>(); }
-drive_catalog const& catalog_of_atv28() noexcept { return small_catalog<rtuwire::altivar::atv28::device>(); }
-drive_catalog const& catalog_of_atv310() noexcept { return small_catalog<rtuwire::altivar::atv310::device>(); }
-drive_catalog const& catalog_of_atv310_2026() noexcept
+std::span<drive_catalog const* const> all_catalogs() noexcept
 {
-    return small_catalog<rtuwire::altivar::atv310::device_2026>();
+    static drive_catalog const* const all[]{
+        &small_catalog<rtuwire::altivar::atv12::device>(), &small_catalog<rtuwire::altivar::atv28::device>(),
+        &small_catalog<rtuwire::altivar::atv310::device>(), &small_catalog<rtuwire::altivar::atv310::device_2026>(),
+        &small_catalog<rtuwire::altivar::atv320::device>()};
+    return all;
 }
-drive_catalog const& catalog_of_atv320() noexcept { return small_catalog<rtuwire::altivar::atv320::device>(); }
 
 } // namespace tool

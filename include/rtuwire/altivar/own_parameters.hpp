@@ -6,5 +6,5 @@
 #pragma once
 
 #include <rtuwire/altivar/parameters/family_words.hpp>
-#include <rtuwire/altivar/parameters/parameter_list.hpp>
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
+#include <rtuwire/altivar/parameters/row_table.hpp>

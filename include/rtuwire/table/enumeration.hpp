@@ -23,11 +23,39 @@ struct named_value {
     literal name;
 };
 
+/// One value of an enumeration, or one bit of a word by its number: the mnemonic that the manual gives it, and what it
+/// means in words.
+struct choice {
+    std::uint16_t word;
+    literal mnemonic;
+    literal meaning{};
+};
+
+namespace detail {
+
+/// The names of an enumeration that is made of choices, and names the list in a function beside it; else none.
+template <typename E> [[nodiscard]] consteval auto names_in_choices(literal choice::*what) noexcept
+{
+    if constexpr (requires { choices_beside(E{}); }) {
+        constexpr std::span<choice const> list = choices_beside(E{});
+        std::array<named_value, list.size()> names{};
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            names[i] = {list[i].word, list[i].*what};
+        }
+        return names;
+    } else {
+        static_cast<void>(what);
+        return std::array<named_value, 0>{};
+    }
+}
+
+} // namespace detail
+
 /// The names of an enumeration's values; specialised next to each enumeration that has any.
-template <typename E> inline constexpr std::array<named_value, 0> enumerators{};
+template <typename E> inline constexpr auto enumerators = detail::names_in_choices<E>(&choice::mnemonic);
 
 /// What an enumeration's values mean, in words; specialised beside `enumerators` where the manual's table has words.
-template <typename E> inline constexpr std::array<named_value, 0> meanings{};
+template <typename E> inline constexpr auto meanings = detail::names_in_choices<E>(&choice::meaning);
 
 namespace detail {
 
@@ -58,6 +86,16 @@ inline constexpr auto listed_values = [] {
     bool is_listed = listed.empty();
     for (std::uint16_t const each : listed) {
         is_listed = is_listed or each == word;
+    }
+    return is_listed;
+}
+
+/// The same of a list of choices.
+[[nodiscard]] constexpr bool has_meaning(std::span<choice const> listed, std::uint16_t word) noexcept
+{
+    bool is_listed = listed.empty();
+    for (choice const& each : listed) {
+        is_listed = is_listed or each.word == word;
     }
     return is_listed;
 }

@@ -109,9 +109,7 @@ private:
     }
 
 public:
-    template <typename Device>
-    static constexpr bool are_of = Device::registers::holds_all(std::array<asked_register, count>{asked_register{
-        Registers.address, Registers.space, &Registers, Registers.counted_as, Registers.is_restepped}...});
+    template <typename Device> static constexpr bool are_of = Device::registers::template holds_all<Registers...>();
     template <typename Device> static constexpr bool have_scales = are_all<has_scale<Device, Registers>...>;
     static constexpr bool have_readable_steps = are_all<has_readable_steps<Registers>...>;
     static constexpr bool are_different = by_key.duplicate().second == 0;

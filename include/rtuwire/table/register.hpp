@@ -197,6 +197,9 @@ template <typename T, register_space Space = register_space::holding> struct reg
     /// A holding register of one word, which is a value whatever it is: what a drive has.
     static constexpr bool is_plain = Space == register_space::holding and not held::is_form;
 
+    /// The same register counted in other steps.
+    template <typename Step> using in_steps = reg<Step, Space>;
+
     literal code;          ///< the manufacturer's mnemonic, in upper case
     std::uint16_t address; ///< as it stands on the wire
     access mode = detail::usual_access<Space>;

@@ -75,18 +75,18 @@ template <auto const& R> [[nodiscard]] consteval bound restepped_limit(bound lim
 /// A register whose steps another register sets, counted in steps that the caller knows. It can be named
 /// wherever the register can.
 template <typename Step, auto const& R>
-inline constexpr reg<Step, std::remove_cvref_t<decltype(R)>::space> restepped{
-    .code = R.code,
-    .address = detail::restepped_address<Step, R>(),
-    .mode = R.mode,
-    .min = detail::restepped_limit<R>(R.min, false),
-    .max = detail::restepped_limit<R>(R.max, true),
-    .factory = R.factory,
-    .name = R.name,
-    .source = R.source,
-    .gap = R.gap,
-    .counted_as = &R,
-    .is_restepped = true};
+inline constexpr typename std::remove_cvref_t<decltype(R)>::template in_steps<Step> restepped{
+    reg<Step, std::remove_cvref_t<decltype(R)>::space>{.code = R.code,
+                                                       .address = detail::restepped_address<Step, R>(),
+                                                       .mode = R.mode,
+                                                       .min = detail::restepped_limit<R>(R.min, false),
+                                                       .max = detail::restepped_limit<R>(R.max, true),
+                                                       .factory = R.factory,
+                                                       .name = R.name,
+                                                       .source = R.source,
+                                                       .gap = R.gap,
+                                                       .counted_as = &R,
+                                                       .is_restepped = true}};
 
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void value_is_above_the_register_maximum();

@@ -250,11 +250,11 @@ public:
 
     /// Whether all of some registers are this device's. Not one by one: see `key_index`.
     /// Internal.
-    template <std::size_t Count>
-    [[nodiscard]] static constexpr bool holds_all(std::array<detail::asked_register, Count> const& all_asked) noexcept
+    template <auto const&... Asked> [[nodiscard]] static constexpr bool holds_all() noexcept
     {
         auto const copy = index;
-        for (detail::asked_register const& asked : all_asked) {
+        for (detail::asked_register const& asked :
+             {detail::asked_register{Asked.address, Asked.space, &Asked, Asked.counted_as, Asked.is_restepped}...}) {
             if (not copy.holds(asked)) {
                 return false;
             }

@@ -64,12 +64,14 @@ std::size_t fewest_requests(std::vector<std::uint16_t> const& all, std::size_t l
 }
 
 /// Ten registers without a hole.
-constexpr reg<count16> r0{.code = "R0", .address = 100}, r1{.code = "R1", .address = 101},
-    r2{.code = "R2", .address = 102}, r3{.code = "R3", .address = 103}, r4{.code = "R4", .address = 104},
-    r5{.code = "R5", .address = 105}, r6{.code = "R6", .address = 106}, r7{.code = "R7", .address = 107},
-    r8{.code = "R8", .address = 108}, r9{.code = "R9", .address = 109};
-struct ten : parameter_list<r0, r1, r2, r3, r4, r5, r6, r7, r8, r9> {};
-constexpr parameter_group group_of_ten[]{group_of<ten>("ten")};
+constexpr row_access rw{access::read_write, provenance::documented};
+constexpr parameter ten[]{
+    {"R0", 100, rw, in<count16>}, {"R1", 101, rw, in<count16>}, {"R2", 102, rw, in<count16>},
+    {"R3", 103, rw, in<count16>}, {"R4", 104, rw, in<count16>}, {"R5", 105, rw, in<count16>},
+    {"R6", 106, rw, in<count16>}, {"R7", 107, rw, in<count16>}, {"R8", 108, rw, in<count16>},
+    {"R9", 109, rw, in<count16>},
+};
+constexpr parameter_group group_of_ten[]{{"ten", ten}};
 constexpr parameter_map map_of_ten{group_of_ten};
 
 /// Runs a backup against a set of refused registers, a bit each, without a line.

@@ -44,7 +44,7 @@ TEST_CASE("a ramp is written in the steps of its configuration, or not at all")
     SECTION("INR is left out")
     {
         parameter changed[]{*small_map.at(inr)};
-        changed[0].source = provenance::inferred;
+        changed[0].is_written.source = provenance::inferred;
         parameter_group const groups[]{small::groups[0], small::groups[1], {"steps", changed}};
         auto const report = [&](parameter_group const&, parameter const& row, restore_report const& what) {
             all(row, what);

@@ -7,7 +7,7 @@
 
 #include <rtuwire/altivar/device/atv320.hpp>
 // What its values mean, before a row is made of them.
-#include <rtuwire/altivar/parameters/atv320/values/known.hpp>
+#include <rtuwire/altivar/parameters/atv320/driving_words.hpp>
 #include <rtuwire/altivar/parameters/family_words.hpp>
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
 
@@ -15,26 +15,39 @@ namespace rtuwire::test {
 
 namespace small {
 
-inline constexpr reg<count16> cfg{.code = "CFG", .address = 3052, .mode = access::configuration, .name = "Macro"};
-inline constexpr reg<count16> flr{.code = "FLR", .address = 3110, .mode = access::configuration, .name = "Catch"};
-inline constexpr reg<count16> tac{.code = "TAC", .address = 3235, .name = "Time in alarm"};
-inline constexpr reg<count16> ncv{.code = "NCV", .address = 3011, .mode = access::configuration, .name = "Rating"};
-inline constexpr reg<count16> tun{.code = "TUN", .address = 9608, .mode = access::configuration, .name = "Autotune"};
-inline constexpr reg<count16> nst{.code = "NST", .address = 11202, .mode = access::configuration, .name = "Freewheel"};
-inline constexpr reg<count16> sp2{.code = "SP2", .address = 11410, .min = {0}, .max = {5990}, .name = "Speed 2"};
-inline constexpr reg<count16> sp3{.code = "SP3", .address = 11411, .name = "Speed 3", .source = provenance::inferred};
-inline constexpr reg<count16> sp4{.code = "SP4", .address = 11412, .name = "Speed 4"};
-inline constexpr reg<count16> sp6{.code = "SP6", .address = 11414, .name = "Speed 6"};
-inline constexpr reg<count16> stoa{.code = "STOA", .address = 15320, .mode = access::configuration, .name = "STO"};
-
 using namespace altivar;
-struct settings : parameter_list<cfg, atv320::tfr, atv320::hsp, atv320::lsp, atv320::acc, atv320::dec, atv320::inr, sp2,
-                                 sp3, sp4, sp6> {};
-struct others
-    : parameter_list<ncv, flr, atv320::eta, atv320::rfr, tac, atv320::il1r, atv320::add, atv320::tbr, atv320::tfo,
-                     atv320::tto, atv320::sll, atv320::atr, atv320::chcf, atv320::fr1, atv320::cd1, atv320::flo,
-                     atv320::cmd, atv320::lfr, atv320::cmi, tun, atv320::tcc, nst, stoa> {};
-inline constexpr parameter_group groups[]{group_of<settings>("settings"), group_of<others>("others")};
+using namespace altivar::roles;
+namespace d = altivar::atv320;
+inline constexpr row_access rw{access::read_write, provenance::documented};
+inline constexpr row_access guess{access::read_write, provenance::inferred};
+inline constexpr row_access cfg{access::configuration, provenance::documented};
+
+// clang-format off
+inline constexpr parameter settings[]{
+    {"CFG", 3052, cfg, in<count16>, {}, {}, {}, "Macro", &macro},
+    row_of(d::tfr, speed_limit), row_of(d::hsp, speed_limit), row_of(d::lsp, speed_limit),
+    row_of(d::acc, ramp), row_of(d::dec, ramp), row_of(d::inr, steps),
+    {"SP2", 11410, rw, in<count16>, 0, 5990, {}, "Speed 2", &speed},
+    {"SP3", 11411, guess, in<count16>, {}, {}, {}, "Speed 3", &speed},
+    {"SP4", 11412, rw, in<count16>, {}, {}, {}, "Speed 4", &speed},
+    {"SP6", 11414, rw, in<count16>, {}, {}, {}, "Speed 6", &speed},
+};
+inline constexpr parameter others[]{
+    {"NCV", 3011, cfg, in<count16>, {}, {}, {}, "Rating", &device_identity},
+    {"FLR", 3110, cfg, in<count16>, {}, {}, {}, "Catch", &catching},
+    row_of(d::eta), row_of(d::rfr),
+    {"TAC", 3235, rw, in<count16>, {}, {}, {}, "Time in alarm", &counter},
+    row_of(d::il1r), row_of(d::add, this_line), row_of(d::tbr, this_line), row_of(d::tfo, this_line),
+    row_of(d::tto, timeout), row_of(d::sll, link_loss), row_of(d::atr, restarts), row_of(d::chcf, roles::commander),
+    row_of(d::fr1, references), row_of(d::cd1, roles::commander), row_of(d::flo, roles::commander),
+    row_of(d::cmd, commands), row_of(d::lfr, setpoint), row_of(d::cmi, recalls),
+    {"TUN", 9608, cfg, in<count16>, {}, {}, {}, "Autotune", &autotuning},
+    row_of(d::tcc, wiring),
+    {"NST", 11202, cfg, in<count16>, {}, {}, {}, "Freewheel", &stop_input},
+    {"STOA", 15320, cfg, in<count16>, {}, {}, {}, "STO", &of_safety},
+};
+// clang-format on
+inline constexpr parameter_group groups[]{{"settings", settings}, {"others", others}};
 
 } // namespace small
 

@@ -66,8 +66,9 @@ parameter_kind kind_of(std::string const& text)
 std::string values_of(parameter const& row)
 {
     std::string text;
-    for (named_value const& each : row.type->mnemonics) {
-        text += (text.empty() ? "" : ";") + std::to_string(each.value) + "=" + std::string{std::string_view{each.name}};
+    for (choice const& each : row.listed()) {
+        text +=
+            (text.empty() ? "" : ";") + std::to_string(each.word) + "=" + std::string{std::string_view{each.mnemonic}};
     }
     return text;
 }
@@ -102,7 +103,7 @@ void check_line(std::vector<std::string> const& line)
     parameter const* const row = atv99::parameters.by_code(line[0]);
     REQUIRE(row != nullptr);
     CHECK(row->address == std::stoul(line[1]));
-    CHECK(row->mode == mode_of(line[2]));
+    CHECK(row->mode() == mode_of(line[2]));
     CHECK(row->type->kind == kind_of(line[3]));
     CHECK(std::string_view{row->type->unit} == line[4]);
     CHECK((line[5].empty() or counts_of("1", *row) == std::lround(1 / std::stod(line[5]))));
@@ -130,9 +131,9 @@ TEST_CASE("parameters of one's own: the bits of the words that all drives share 
     parameter const* const status = atv99::parameters.by_code("ETA");
     REQUIRE(status != nullptr);
     REQUIRE(status->type->kind == parameter_kind::bits);
-    REQUIRE(status->type->meanings.size() > 3);
-    CHECK(status->type->meanings[3].value == 3);
-    CHECK(std::string_view{status->type->meanings[3].name} == "in fault");
+    REQUIRE(status->choices().size() > 3);
+    CHECK(status->choices()[3].word == 3);
+    CHECK(std::string_view{status->choices()[3].meaning} == "in fault");
 }
 
 // 200 to 240 V and 380 to 460 V.
@@ -140,7 +141,7 @@ inline constexpr reg<volts> with_gap{.code = "UNS", .address = 2, .min = {200}, 
 
 TEST_CASE("parameters of one's own: a row takes what its register takes, and nothing in its gap")
 {
-    parameter const row = parameter_list<with_gap>::made_rows()[0];
+    parameter const row = row_of(with_gap, roles::ordinary);
     for (std::uint16_t count = 190; count < 470; ++count) {
         CAPTURE(count);
         CHECK(row.takes(count) == setting<with_gap>::checked(volts{count}).has_value());
@@ -152,10 +153,10 @@ TEST_CASE("parameters of one's own: the drive with all of them is simulated")
 {
     constexpr station<atv99::full_device> drive{unit_id{41}};
     sim::bench bench{line_timing{19'200, character_format::even_8_1}, drive};
-    CHECK(bench.run(read<atv99::sp2>(drive)) == 10_Hz);
-    CHECK(bench.run(write<atv99::sp2>(drive, 12.5_Hz)));
-    CHECK(bench.run(read<atv99::sp2>(drive)) == 12.5_Hz);
-    CHECK(bench.run(write<atv99::ffm>(drive, atv99::fan_mode::never)));
+    CHECK(bench.run(read<atv99::parameter<"SP2">>(drive)) == 10_Hz);
+    CHECK(bench.run(write<atv99::parameter<"SP2">>(drive, 12.5_Hz)));
+    CHECK(bench.run(read<atv99::parameter<"SP2">>(drive)) == 12.5_Hz);
+    CHECK(bench.run(write<atv99::parameter<"FFM">>(drive, named<"Off">)));
 }
 //! [simulated]
 

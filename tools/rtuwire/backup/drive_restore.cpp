@@ -2,20 +2,24 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "backup/drive_restore.hpp"
 
+#include <rtuwire/altivar/all.hpp>
+
+#include "backup/drive_restore_of.hpp"
+#include "port/whole_drive.hpp"
+
 namespace tool {
 
 restore_function restore_for(std::string_view drive) noexcept
 {
-    constexpr std::pair<std::string_view, restore_function> all[]{{"atv12", restore_atv12},
-                                                                  {"atv310", restore_atv310},
-                                                                  {"atv310_2026", restore_atv310_2026},
-                                                                  {"atv320", restore_atv320}};
-    for (auto const& [name, function] : all) {
-        if (name == drive) {
-            return function;
+    restore_function function = nullptr;
+    rtuwire::altivar::all_drives::for_each([&]<typename Drive>() {
+        if constexpr (has_all_parameters<Drive>) {
+            if (drive == std::string_view{Drive::name}) {
+                function = &restore_to<Drive>;
+            }
         }
-    }
-    return nullptr;
+    });
+    return function;
 }
 
 } // namespace tool

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Settings that are written into a drive, whichever it is. Behind it is a conversation of the library for one type of
-// drive, in a file of its own: three of them in one file compile for long.
+// drive, all of them in one file.
 #pragma once
 
 #include <functional>
@@ -40,11 +40,6 @@ struct restored {
 };
 
 using restore_function = restored (*)(restore_work const& work);
-
-restored restore_atv12(restore_work const& work);
-restored restore_atv310(restore_work const& work);
-restored restore_atv310_2026(restore_work const& work);
-restored restore_atv320(restore_work const& work);
 
 /// The function for a drive's name; null where this program restores no settings of that drive.
 restore_function restore_for(std::string_view drive) noexcept;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A restore of one type of drive. Included by one file a drive.
+// A restore of one type of drive. Included by one file, which makes those of all.
 #pragma once
 
 #include <array>

@@ -77,9 +77,8 @@ saved_value value_to_save(register_entry const& entry, drive_catalog const& driv
     if (entry.kind == register_kind::bits) {
         return {hex_word(word), false, {}};
     }
-    auto const found = std::ranges::find(entry.names, word, &rtuwire::named_value::value);
-    return found != entry.names.end() ? saved_value{std::string{std::string_view{found->name}}, false, {}}
-                                      : saved_value{};
+    rtuwire::choice const* const found = entry.choice_of(word);
+    return found != nullptr ? saved_value{std::string{std::string_view{found->mnemonic}}, false, {}} : saved_value{};
 }
 
 } // namespace tool

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "catalog/catalog_drives.hpp"
 #include "words/words.hpp"
 
 namespace tool {
@@ -47,11 +46,10 @@ register_entry const* drive_catalog::by_menu(std::string_view number) const noex
     return found != registers.end() ? &*found : nullptr;
 }
 
-std::span<drive_catalog const* const> all_catalogs() noexcept
+rtuwire::choice const* register_entry::choice_of(std::uint16_t word) const noexcept
 {
-    static drive_catalog const* const all[]{&catalog_of_atv12(), &catalog_of_atv28(), &catalog_of_atv310(),
-                                            &catalog_of_atv310_2026(), &catalog_of_atv320()};
-    return all;
+    auto const found = std::ranges::find(choices, word, &rtuwire::choice::word);
+    return found != choices.end() ? &*found : nullptr;
 }
 
 drive_catalog const* catalog_named(std::string_view name) noexcept

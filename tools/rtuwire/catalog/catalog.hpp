@@ -47,13 +47,18 @@ struct register_entry {
     std::int32_t gap_last;
     std::optional<std::int32_t> factory; ///< in raw counts, where known
     rtuwire::provenance source;
-    std::span<rtuwire::named_value const> names;    ///< of an enumeration: mnemonics
-    std::span<rtuwire::named_value const> meanings; ///< of an enumeration: in words, as the library's texts have them
-    std::span<std::string_view const, 16> bits;     ///< of a word of bits: identifiers, empty where unnamed
+    std::span<rtuwire::choice const> choices;   ///< values of an enumeration, or bits of a word by number
+    bool has_meanings;                          ///< whether the library's texts have their meanings
+    std::span<std::string_view const, 16> bits; ///< of a word of bits: identifiers, empty where unnamed
 
     [[nodiscard]] bool is_writable() const noexcept { return mode != rtuwire::access::read_only; }
-    /// What its values, or its bits by number, mean in words; more than the texts of values say.
-    [[nodiscard]] std::span<rtuwire::named_value const> words() const noexcept { return row->type->meanings; }
+    /// The values of an enumeration.
+    [[nodiscard]] std::span<rtuwire::choice const> values() const noexcept
+    {
+        return kind == register_kind::enumeration ? choices : std::span<rtuwire::choice const>{};
+    }
+    /// The value or bit of a number; null where it has none.
+    [[nodiscard]] rtuwire::choice const* choice_of(std::uint16_t word) const noexcept;
     [[nodiscard]] bool is_amount() const noexcept
     {
         return kind == register_kind::number or kind == register_kind::signed_number;

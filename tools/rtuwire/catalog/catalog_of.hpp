@@ -1,21 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Makes a drive's catalog of its registers. Included by one file a drive, so that no file compiles for long.
+// Makes a drive's catalog of its registers.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <string_view>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <rtuwire/altivar/own_parameters.hpp>
 
 #include "catalog/catalog.hpp"
-#include "catalog/catalog_groups.hpp"
 
 namespace tool {
 
@@ -49,35 +45,26 @@ inline constexpr std::array<std::string_view, 16> bit_names = []<std::size_t... 
 
 inline constexpr std::array<std::string_view, 16> no_bit_names{};
 
-/// What the type of a register's values tells. Made once for each type, not for each register.
-struct value_traits {
-    register_kind kind;
-    std::string_view unit{};
-    step_size step{};
-    std::span<rtuwire::named_value const> names{};
-    std::span<rtuwire::named_value const> meanings{};
+/// What the rows of a type leave to the library: whether its texts have the meanings, and the identifiers of its bits.
+struct type_names {
+    rtuwire::altivar::parameter_type const* type;
+    bool has_meanings{false};
     std::span<std::string_view const, 16> bits{no_bit_names};
 };
 
-template <typename T> [[nodiscard]] consteval value_traits traits_of() noexcept
+template <typename T> [[nodiscard]] constexpr type_names names_in_type() noexcept
 {
     if constexpr (rtuwire::bit_field<T>) {
-        return {.kind = register_kind::bits, .bits = bit_names<typename T::bit_type>};
-    } else if constexpr (rtuwire::register_enumeration<T>) {
-        return {.kind = register_kind::enumeration, .names = rtuwire::enumerators<T>, .meanings = rtuwire::meanings<T>};
+        return {.type = &rtuwire::altivar::in<T>, .bits = bit_names<typename T::bit_type>};
     } else {
-        bool const has_sign = std::is_signed_v<typename T::rep>;
-        return {.kind = has_sign ? register_kind::signed_number : register_kind::number,
-                .unit = T::dimension::symbol,
-                .step = {T::scale::num, T::scale::den}};
+        return {.type = &rtuwire::altivar::in<T>, .has_meanings = rtuwire::meanings<T>.size() != 0};
     }
 }
-template <typename T> inline constexpr value_traits traits = traits_of<T>();
 
-/// One register. A template for each type of values, because the descriptor is an argument.
-template <typename T> [[nodiscard]] constexpr register_entry entry_of(rtuwire::reg<T> const& from) noexcept
+/// One register.
+[[nodiscard]] constexpr register_entry entry_of(rtuwire::altivar::parameter const& from,
+                                                type_names const& names) noexcept
 {
-    value_traits const& type = traits<T>;
     return {.code = from.code,
             .address = from.address,
             .row = nullptr,
@@ -85,56 +72,20 @@ template <typename T> [[nodiscard]] constexpr register_entry entry_of(rtuwire::r
             .group = {},
             .menu = {},
             .is_for_driving = false,
-            .mode = from.mode,
-            .kind = type.kind,
-            .unit = type.unit,
-            .step = type.step,
+            .mode = from.mode(),
+            .kind = static_cast<register_kind>(from.type->kind),
+            .unit = from.type->unit,
+            .step = {from.type->step_numerator, from.type->step_denominator},
             .steps_set_by = from.steps_set_by,
             .min = from.min,
             .max = from.max,
             .gap_first = from.gap.first,
             .gap_last = from.gap.last,
             .factory = from.factory,
-            .source = from.source,
-            .names = type.names,
-            .meanings = type.meanings,
-            .bits = type.bits};
-}
-
-/// Adds the registers of a list, as they stand there. The list is a constant: a thousand of them cost the compiler little.
-template <auto const&... Registers> void add_all_of(std::vector<register_entry>& to)
-{
-    static constexpr register_entry list[]{entry_of(Registers)...};
-    to.insert(to.end(), std::begin(list), std::end(list));
-}
-
-template <auto const&... Registers> void add(std::vector<register_entry>& to, rtuwire::table<Registers...>)
-{
-    add_all_of<Registers...>(to);
-}
-
-template <auto const&... Registers>
-void add(std::vector<register_entry>& to, rtuwire::altivar::parameter_list<Registers...>)
-{
-    add_all_of<Registers...>(to);
-}
-
-template <typename... Groups> void add(std::vector<register_entry>& to, rtuwire::altivar::grouped_table<Groups...>)
-{
-    (add(to, Groups{}), ...);
-}
-
-/// The registers of a table or a map, in the order of addresses; those of the drive's own table are marked.
-template <typename Drive, typename Registers>
-[[nodiscard]] std::vector<register_entry> registers_of(Registers registers)
-{
-    std::vector<register_entry> all;
-    add(all, registers);
-    for (register_entry& each : all) {
-        each.is_for_driving = Drive::registers::has_address(each.address);
-    }
-    sort_by_address(all);
-    return all;
+            .source = from.source(),
+            .choices = from.choices(),
+            .has_meanings = names.has_meanings,
+            .bits = names.bits};
 }
 
 /// A drive's catalog. The registers and groups live as long.

@@ -14,15 +14,15 @@ namespace {
 named_reading read_enumerator(register_entry const& entry, std::string_view text)
 {
     std::vector<std::string_view> names;
-    for (rtuwire::named_value const& each : entry.names) {
-        names.push_back(each.name);
+    for (rtuwire::choice const& each : entry.values()) {
+        names.push_back(each.mnemonic);
         if (text == names.back()) {
-            return {each.value};
+            return {each.word};
         }
     }
-    for (rtuwire::named_value const& each : entry.names) {
-        if (is_same_word(std::string_view{each.name}, text)) {
-            return {each.value};
+    for (rtuwire::choice const& each : entry.values()) {
+        if (is_same_word(std::string_view{each.mnemonic}, text)) {
+            return {each.word};
         }
     }
     if (auto const number = word_number(text)) {
@@ -69,16 +69,15 @@ named_reading read_named(register_entry const& entry, std::string_view text)
 
 bool has_meaning(register_entry const& entry, std::uint16_t word) noexcept
 {
-    return entry.names.empty() or
-           std::any_of(entry.names.begin(), entry.names.end(), [word](auto const& each) { return each.value == word; });
+    return entry.values().empty() or entry.choice_of(word) != nullptr;
 }
 
 std::string list_of_values(register_entry const& entry)
 {
     std::string list;
-    for (rtuwire::named_value const& each : entry.names) {
-        list += (list.empty() ? "" : ", ") + std::string{std::string_view{each.name}} + " (" +
-                std::to_string(each.value) + ")";
+    for (rtuwire::choice const& each : entry.values()) {
+        list += (list.empty() ? "" : ", ") + std::string{std::string_view{each.mnemonic}} + " (" +
+                std::to_string(each.word) + ")";
     }
     return list.empty() ? "a number from 0 to 65535" : list;
 }

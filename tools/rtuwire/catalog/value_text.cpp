@@ -22,17 +22,12 @@ std::optional<step_size> displayed_step(std::string_view digits)
     return step.numerator > 0 ? std::optional{step} : std::nullopt;
 }
 
-std::string_view name_in(std::span<rtuwire::named_value const> list, std::uint16_t value)
-{
-    auto const found =
-        std::find_if(list.begin(), list.end(), [value](auto const& each) { return each.value == value; });
-    return found != list.end() ? std::string_view{found->name} : std::string_view{};
-}
-
 std::string enumerator_text(register_entry const& entry, std::uint16_t word)
 {
-    std::string text{name_in(entry.names, word)};
-    std::string_view const meaning = name_in(entry.meanings, word);
+    rtuwire::choice const* const choice = entry.choice_of(word);
+    std::string text{choice == nullptr ? std::string_view{} : std::string_view{choice->mnemonic}};
+    std::string_view const meaning =
+        choice == nullptr or not entry.has_meanings ? std::string_view{} : std::string_view{choice->meaning};
     if (text.empty() and meaning.empty()) {
         return "#" + std::to_string(word);
     }
@@ -49,7 +44,8 @@ std::optional<step_size> step_of(register_entry const& entry, drive_catalog cons
         return entry.step;
     }
     register_entry const* const by = drive.by_code(entry.steps_set_by);
-    return by != nullptr and setting ? displayed_step(name_in(by->names, *setting)) : std::nullopt;
+    rtuwire::choice const* const chosen = by != nullptr and setting ? by->choice_of(*setting) : nullptr;
+    return chosen != nullptr ? displayed_step(chosen->mnemonic) : std::nullopt;
 }
 
 std::string number_text(std::int64_t count, step_size step)

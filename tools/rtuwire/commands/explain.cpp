@@ -43,16 +43,13 @@ std::vector<std::string> values_of(register_entry const& entry)
 {
     std::vector<std::string> list;
     auto const words_for = [&entry](std::uint16_t value) {
-        for (rtuwire::named_value const& each : entry.words()) {
-            if (each.value == value) {
-                return ": " + std::string{std::string_view{each.name}};
-            }
-        }
-        return std::string{};
+        rtuwire::choice const* const choice = entry.choice_of(value);
+        return choice == nullptr or choice->meaning.size() == 0 ? std::string{}
+                                                                : ": " + std::string{std::string_view{choice->meaning}};
     };
-    for (rtuwire::named_value const& each : entry.names) {
-        list.push_back(std::string{std::string_view{each.name}} + " (" + std::to_string(each.value) + ")" +
-                       words_for(each.value));
+    for (rtuwire::choice const& each : entry.values()) {
+        list.push_back(std::string{std::string_view{each.mnemonic}} + " (" + std::to_string(each.word) + ")" +
+                       words_for(each.word));
     }
     for (std::uint16_t bit = 0; bit < entry.bits.size() and entry.kind == register_kind::bits; ++bit) {
         if (not entry.bits[bit].empty()) {
@@ -81,7 +78,7 @@ std::string effect_of(register_entry const& entry, drive_catalog const& drive)
             ": a motor that runs turns otherwise after it, so a drive with power takes it with --allow-run only");
     }
     for (std::uint16_t const value : std::initializer_list<std::uint16_t>{0, 1, 4, 5}) {
-        bool const is_value = entry.names.empty() ? value == 0 : text_of(entry, value)[0] != '#';
+        bool const is_value = entry.values().empty() ? value == 0 : text_of(entry, value)[0] != '#';
         std::string const why = is_value ? why_it_runs_on(entry.address, value, drive) : std::string{};
         add(why.empty() ? why : std::to_string(value) + " " + why);
         std::string const lost = value == 0 ? why_it_is_out_of_reach(entry, value) : std::string{};

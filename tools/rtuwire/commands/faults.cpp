@@ -171,9 +171,9 @@ private:
     void add_warnings(std::string& text, register_entry const& entry) const
     {
         auto const word = reader_.at(entry.address);
-        for (rtuwire::named_value const& bit : entry.words()) {
-            std::string_view const meaning = bit.name;
-            bool const is_set = word and (unsigned{*word} >> bit.value & 1U) != 0;
+        for (rtuwire::choice const& bit : entry.choices) {
+            std::string_view const meaning = bit.meaning;
+            bool const is_set = word and (unsigned{*word} >> bit.word & 1U) != 0;
             if (is_set and std::ranges::any_of(warning_marks, [&](auto mark) { return holds_word(meaning, mark); })) {
                 text += (text.empty() ? "" : "; ") + std::string{meaning};
             }

@@ -75,13 +75,6 @@ struct motor_line {
 using motor_maker = std::unique_ptr<motor> (*)(motor_line const& line, rtuwire::unit_id unit,
                                                asked_motion const& asked);
 
-std::unique_ptr<motor> make_motor_of_atv12(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked);
-std::unique_ptr<motor> make_motor_of_atv28(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked);
-std::unique_ptr<motor> make_motor_of_atv310(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked);
-std::unique_ptr<motor> make_motor_of_atv310_2026(motor_line const& line, rtuwire::unit_id unit,
-                                                 asked_motion const& asked);
-std::unique_ptr<motor> make_motor_of_atv320(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked);
-
 /// The maker for a drive's name; null where there is none.
 motor_maker maker_of(std::string_view drive) noexcept;
 

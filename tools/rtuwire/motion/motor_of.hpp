@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A motor of one type of drive. Included by one file a drive.
+// A motor of one type of drive. Included by one file, which makes those of all.
 #pragma once
 
 #include <array>
@@ -193,10 +193,12 @@ private:
 template <rtuwire::device_type Device>
 std::unique_ptr<motor> make_motor(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked)
 {
-    if (asked.is_speed) {
-        return std::make_unique<motor_of<Device>>(line, unit, asked);
+    if constexpr (Device::cycle.writes.has(Device::speed_reference.address)) {
+        if (not asked.is_speed) {
+            return std::make_unique<motor_of<by_frequency<Device>>>(line, unit, asked);
+        }
     }
-    return std::make_unique<motor_of<by_frequency<Device>>>(line, unit, asked);
+    return std::make_unique<motor_of<Device>>(line, unit, asked); // a cycle of frequencies has them in each case
 }
 
 } // namespace tool

@@ -32,7 +32,8 @@ std::string reason_for(register_entry const& entry)
 
 bool has_value_named(register_entry const& entry, std::string_view name)
 {
-    return std::ranges::any_of(entry.names, [name](auto const& each) { return std::string_view{each.name} == name; });
+    return std::ranges::any_of(entry.values(),
+                               [name](auto const& each) { return std::string_view{each.mnemonic} == name; });
 }
 
 /// Whether it is what a drive does at a fault: to ignore it is one of the choices, and the value tells.

@@ -27,4 +27,11 @@ template <> struct whole_drive<rtuwire::altivar::atv320::device> {
     using type = rtuwire::altivar::atv320::full_device;
 };
 
+/// Whether the library knows all parameters of a drive.
+template <typename Drive>
+concept has_all_parameters = requires
+{
+    whole_drive<Drive>::type::registers::maps;
+};
+
 } // namespace tool

@@ -16,19 +16,15 @@ bool is_named(register_entry const& entry, std::string_view word)
 
 bool has_value_named(register_entry const& entry, std::string_view word)
 {
-    for (auto const& list : {entry.names, entry.words()}) {
-        bool const holds = std::any_of(list.begin(), list.end(), [word](auto const& value) {
-            return holds_word(std::string_view{value.name}, word);
-        });
-        if (holds) {
-            return true;
-        }
-    }
-    return std::any_of(entry.bits.begin(), entry.bits.end(), [word](std::string_view bit) {
-        std::string words{bit};
-        std::replace(words.begin(), words.end(), '_', ' ');
-        return holds_word(bit, word) or holds_word(words, word);
+    bool const holds = std::ranges::any_of(entry.choices, [&](rtuwire::choice const& each) {
+        bool const is_value = entry.kind == register_kind::enumeration;
+        return (is_value and holds_word(each.mnemonic, word)) or holds_word(each.meaning, word);
     });
+    return holds or std::any_of(entry.bits.begin(), entry.bits.end(), [word](std::string_view bit) {
+               std::string words{bit};
+               std::replace(words.begin(), words.end(), '_', ' ');
+               return holds_word(bit, word) or holds_word(words, word);
+           });
 }
 
 } // namespace

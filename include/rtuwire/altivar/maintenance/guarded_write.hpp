@@ -91,7 +91,7 @@ public:
     /// Whether a register is compared where the drive does not tell who it is.
     [[nodiscard]] static constexpr bool is_compared(parameter const& row) noexcept
     {
-        return not row.is_writable() and row.source != provenance::doubtful;
+        return not row.is_writable() and row.source() != provenance::doubtful;
     }
 
 private:

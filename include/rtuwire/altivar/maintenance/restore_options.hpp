@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <optional>
 
-#include <rtuwire/altivar/maintenance/parameter_role.hpp>
 #include <rtuwire/altivar/parameters/parameter.hpp>
+#include <rtuwire/altivar/parameters/parameter_role.hpp>
 #include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/literal.hpp>
@@ -225,7 +225,7 @@ struct restore_report {
     case parameter_role::order:
     case parameter_role::safety: return restore_outcome::never_written;
     }
-    bool const is_sure = row.source == provenance::documented or options.with_inferred;
+    bool const is_sure = row.source() == provenance::documented or options.with_inferred;
     return is_sure ? restore_outcome::planned : restore_outcome::needs_inferred;
 }
 

@@ -2,135 +2,172 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // ATV310: all its parameters, by the groups of its menus. What its manual does not print comes from the parameter file
-// of the ATV12, and is marked so.
+// of the ATV12, and is marked so. How to read a line stands in parameters/parameter.hpp.
 #pragma once
 
 #include <array>
 
 #include <rtuwire/altivar/device/atv310.hpp>
-#include <rtuwire/altivar/parameters/compact_values.hpp>
-#include <rtuwire/altivar/parameters/family_words.hpp>
-#include <rtuwire/altivar/parameters/parameter_list.hpp>
+#include <rtuwire/altivar/parameters/compact_choices.hpp>
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
+#include <rtuwire/altivar/parameters/row_table.hpp>
 #include <rtuwire/altivar/parameters/units.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/table/register.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-namespace altivar::atv310 {
+namespace altivar::atv310::rows {
 
 // clang-format off
-inline constexpr reg<active_channel> crc{.code = "CRC", .address = 8441, .mode = access::read_only, .name = "Active reference channel", .source = provenance::inferred};
-inline constexpr reg<active_channel> ccc{.code = "CCC", .address = 8442, .mode = access::read_only, .name = "Active command channel", .source = provenance::inferred};
-inline constexpr reg<counter_reset> rpr{.code = "RPR", .address = 3120, .factory = 0, .name = "Counter reset", .source = provenance::inferred};
-inline constexpr reg<motor_standard> bfr{.code = "BFR", .address = 3015, .mode = access::configuration, .factory = 0, .name = "Standard motor frequency", .source = provenance::inferred};
-inline constexpr reg<motor_control_law> ctt{.code = "CTT", .address = 9607, .mode = access::configuration, .name = "Motor control law", .source = provenance::inferred};
-inline constexpr reg<tuning_order> tun{.code = "TUN", .address = 9608, .mode = access::configuration, .factory = 0, .name = "Autotune", .source = provenance::inferred};
-inline constexpr reg<signed_tenth_percent> aiv1{.code = "AIV1", .address = 5281, .min = {0}, .max = {1000}, .factory = 0, .name = "Virtual analog input 1", .source = provenance::inferred};
-inline constexpr reg<configuration_save> scs{.code = "SCS", .address = 8001, .mode = access::configuration, .factory = 0, .name = "Save the configuration", .source = provenance::inferred};
-inline constexpr reg<configuration_recall> fcs{.code = "FCS", .address = 8002, .mode = access::configuration, .factory = 0, .name = "Load a configuration or factory settings", .source = provenance::inferred};
+using namespace roles;
+using namespace compact_choices;
+
+inline constexpr row_access ro{access::read_only, provenance::inferred};
+inline constexpr row_access rw{access::read_write, provenance::inferred};
+inline constexpr row_access cfg{access::configuration, provenance::inferred};
+
+// What the drive shows.
+inline constexpr parameter monitoring[]{
+    row_of(eta), row_of(rfr), row_of(frh), row_of(lcr), row_of(eti), row_of(uln), row_of(thd), row_of(opr),
+    row_of(rthi), row_of(pth), row_of(hmis),
+    {"CRC", 8441, ro, bits(active_channel), {}, {}, {}, "Active reference channel"},
+    {"CCC", 8442, ro, bits(active_channel), {}, {}, {}, "Active command channel"},
+    row_of(thr),
+};
+
+// Words that command the drive, and its speed mode.
+inline constexpr parameter control[]{
+    {"RPR", 3120, rw, counter_reset, {}, {}, 0, "Counter reset", &clears},
+    row_of(cmd, commands), row_of(lfr, setpoint), row_of(pisp, setpoint), row_of(cmi, recalls),
+    row_of(cmdd, commands), row_of(lfrd, setpoint), row_of(etad), row_of(rfrd),
+};
+
+// Where commands and references come from.
+inline constexpr parameter command[]{
+    row_of(chcf, commander), row_of(fr1, references), row_of(cd1, commander), row_of(flo, commander),
+};
+
+// Everyday settings.
+inline constexpr parameter settings[]{
+    row_of(hsp, speed_limit), row_of(lsp, speed_limit), row_of(acc, ramp), row_of(dec, ramp),
+    row_of(ith, ordinary),
+};
+
+// The motor and its control.
+inline constexpr parameter motor_control[]{
+    {"BFR", 3015, cfg, motor_standard,    {}, {}, 0,  "Standard motor frequency", &speed_range},
+    row_of(sfr, ordinary), row_of(tfr, speed_limit), row_of(uns, ordinary), row_of(frs, ordinary),
+    row_of(ncr, ordinary), row_of(nsp, ordinary), row_of(cos, ordinary),
+    {"CTT", 9607, cfg, motor_control_law, {}, {}, {}, "Motor control law"},
+    {"TUN", 9608, cfg, tuning_order,      {}, {}, 0,  "Autotune", &autotuning},
+    row_of(npr, ordinary),
+};
+
+// Analog inputs and outputs.
+inline constexpr parameter analog_io[]{
+    {"AIV1", 5281, rw, in<signed_tenth_percent>, 0, 1000, 0, "Virtual analog input 1", &setpoint},
+};
+
+// Lines and networks.
+inline constexpr parameter communication[]{
+    row_of(add, this_line), row_of(tbr, this_line), row_of(tfo, this_line), row_of(tto, timeout),
+};
+
+// The scanner: words that one request moves.
+inline constexpr parameter scanner[]{
+    row_of(nma1, ordinary), row_of(nma2, ordinary), row_of(nma3, ordinary), row_of(nma4, ordinary),
+    row_of(nma5, ordinary), row_of(nma6, ordinary), row_of(nma7, ordinary), row_of(nma8, ordinary),
+    row_of(nca1, cyclic_words), row_of(nca2, cyclic_words), row_of(nca3, cyclic_words),
+    row_of(nca4, cyclic_words), row_of(nca5, cyclic_words), row_of(nca6, cyclic_words),
+    row_of(nca7, cyclic_words), row_of(nca8, cyclic_words), row_of(nm1), row_of(nm2), row_of(nm3),
+    row_of(nm4), row_of(nm5), row_of(nm6), row_of(nm7), row_of(nm8), row_of(nc1, passed_on),
+    row_of(nc2, passed_on), row_of(nc3, passed_on), row_of(nc4, passed_on), row_of(nc5, passed_on),
+    row_of(nc6, passed_on), row_of(nc7, passed_on), row_of(nc8, passed_on),
+};
+
+// The same by the manual of 2014: half as many.
+inline constexpr parameter scanner_2014[]{
+    row_of(nma1, ordinary), row_of(nma2, ordinary), row_of(nma3, ordinary), row_of(nma4, ordinary),
+    row_of(nca1, cyclic_words), row_of(nca2, cyclic_words), row_of(nca3, cyclic_words),
+    row_of(nca4, cyclic_words), row_of(nm1), row_of(nm2), row_of(nm3), row_of(nm4), row_of(nc1, passed_on),
+    row_of(nc2, passed_on), row_of(nc3, passed_on), row_of(nc4, passed_on),
+};
+
+// Reactions to faults.
+inline constexpr parameter faults[]{
+    row_of(sll, link_loss), row_of(lft), row_of(cic, accepts),
+};
+
+// What drive this is.
+inline constexpr parameter identification[]{
+    row_of(ncv, device_identity), row_of(vcal, device_identity), row_of(inv), row_of(vdp),
+};
+
+// Saving and recalling configurations.
+inline constexpr parameter configuration[]{
+    {"SCS", 8001, cfg, configuration_save,   {}, {}, 0, "Save the configuration", &recalls},
+    {"FCS", 8002, cfg, configuration_recall, {}, {}, 0, "Load a configuration or factory settings", &recalls},
+};
+
+// States at past faults.
+inline constexpr parameter history_state[]{
+    row_of(dp0), row_of(dp1), row_of(dp2), row_of(dp3), row_of(dp4),
+};
+
+// Ramps.
+inline constexpr parameter functions_ramp[]{
+    row_of(ac2, ramp), row_of(de2, ramp),
+};
+
+// Stopping and DC injection.
+inline constexpr parameter functions_stop[]{
+    row_of(stt, stopping),
+};
 // clang-format on
 
-} // namespace altivar::atv310
-
-namespace altivar::atv310::groups {
-
-/// What the drive shows.
-struct monitoring : parameter_list<eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth, hmis, crc, ccc, thr> {};
-
-/// Words that command the drive, and its speed mode.
-struct control : parameter_list<rpr, cmd, lfr, pisp, cmi, cmdd, lfrd, etad, rfrd> {};
-
-/// Where commands and references come from.
-struct command : parameter_list<chcf, fr1, cd1, flo> {};
-
-/// Everyday settings.
-struct settings : parameter_list<hsp, lsp, acc, dec, ith> {};
-
-/// The motor and its control.
-struct motor_control : parameter_list<bfr, sfr, tfr, uns, frs, ncr, nsp, cos, ctt, tun, npr> {};
-
-/// Analog inputs and outputs.
-struct analog_io : parameter_list<aiv1> {};
-
-/// Lines and networks.
-struct communication : parameter_list<add, tbr, tfo, tto> {};
-
-/// The scanner: words that one request moves.
-struct scanner
-    : parameter_list<nma1, nma2, nma3, nma4, nma5, nma6, nma7, nma8, nca1, nca2, nca3, nca4, nca5, nca6, nca7, nca8,
-                     nm1, nm2, nm3, nm4, nm5, nm6, nm7, nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7, nc8> {};
-
-/// The same by the manual of 2014: half as many.
-struct scanner_2014
-    : parameter_list<nma1, nma2, nma3, nma4, nca1, nca2, nca3, nca4, nm1, nm2, nm3, nm4, nc1, nc2, nc3, nc4> {};
-
-/// Reactions to faults.
-struct faults : parameter_list<sll, lft, cic> {};
-
-/// What drive this is.
-struct identification : parameter_list<ncv, vcal, inv, vdp> {};
-
-/// Saving and recalling configurations.
-struct configuration : parameter_list<scs, fcs> {};
-
-/// States at past faults.
-struct history_state : parameter_list<dp0, dp1, dp2, dp3, dp4> {};
-
-/// Ramps.
-struct functions_ramp : parameter_list<ac2, de2> {};
-
-/// Stopping and DC injection.
-struct functions_stop : parameter_list<stt> {};
-
-} // namespace altivar::atv310::groups
+} // namespace altivar::atv310::rows
 
 namespace altivar::atv310 {
 
 /// The parameters by group, with the scanner of one manual or the other.
 /// Internal.
-template <typename Scanner>
-inline constexpr std::array<parameter_group, 14> menu_groups{{
-    group_of<groups::monitoring>("monitoring"),
-    group_of<groups::control>("control"),
-    group_of<groups::command>("command"),
-    group_of<groups::settings>("settings"),
-    group_of<groups::motor_control>("motor_control"),
-    group_of<groups::analog_io>("analog_io"),
-    group_of<groups::communication>("communication"),
-    group_of<Scanner>("scanner"),
-    group_of<groups::faults>("faults"),
-    group_of<groups::identification>("identification"),
-    group_of<groups::configuration>("configuration"),
-    group_of<groups::history_state>("history_state"),
-    group_of<groups::functions_ramp>("functions_ramp"),
-    group_of<groups::functions_stop>("functions_stop"),
-}};
-
-/// The same as the registers of a device.
-/// Internal.
-template <typename Scanner>
-using all_groups =
-    grouped_table<groups::monitoring, groups::control, groups::command, groups::settings, groups::motor_control,
-                  groups::analog_io, groups::communication, Scanner, groups::faults, groups::identification,
-                  groups::configuration, groups::history_state, groups::functions_ramp, groups::functions_stop>;
+template <auto const& Scanner>
+inline constexpr std::array<parameter_group, 14> menu_groups{
+    parameter_group{"monitoring", rows::monitoring},
+    parameter_group{"control", rows::control},
+    parameter_group{"command", rows::command},
+    parameter_group{"settings", rows::settings},
+    parameter_group{"motor_control", rows::motor_control},
+    parameter_group{"analog_io", rows::analog_io},
+    parameter_group{"communication", rows::communication},
+    parameter_group{"scanner", Scanner},
+    parameter_group{"faults", rows::faults},
+    parameter_group{"identification", rows::identification},
+    parameter_group{"configuration", rows::configuration},
+    parameter_group{"history_state", rows::history_state},
+    parameter_group{"functions_ramp", rows::functions_ramp},
+    parameter_group{"functions_stop", rows::functions_stop},
+};
 
 /// All parameters that can be used, as rows to walk, by the manual of 2026.
-inline constexpr parameter_map parameters{menu_groups<groups::scanner>, "ATV310"};
+inline constexpr parameter_map parameters{menu_groups<rows::scanner>, "ATV310"};
 
 /// The same by the manual of 2014, whose scanner has half as many words.
-inline constexpr parameter_map parameters_2014{menu_groups<groups::scanner_2014>};
+inline constexpr parameter_map parameters_2014{menu_groups<rows::scanner_2014>};
 
 /// An ATV310 as its manual of 2026 has it, with every register of this map for typed access: `station<full_device>`.
 struct full_device : device_2026 {
-    using registers = all_groups<groups::scanner>;
+    using registers = row_table<full_device, device_2026::registers, parameters>;
 };
 
 /// The same by the manual of 2014.
 struct full_device_2014 : device {
-    using registers = all_groups<groups::scanner_2014>;
+    using registers = row_table<full_device, device::registers, parameters_2014>;
 };
+
+/// A parameter by its mnemonic, where a register is wanted: `read<parameter<"CTT">>(drive)`. What has an object of its own,
+/// as `acc`, is named by that.
+template <mnemonic Code> inline constexpr auto const& parameter = parameter_called<full_device, Code>;
 
 } // namespace altivar::atv310
 } // namespace RTUWIRE_BUILD

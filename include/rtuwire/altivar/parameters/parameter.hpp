@@ -1,16 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// One parameter of a drive as a plain row, for a program that walks all of them. The compiler makes it of the register's
-// descriptor, so nothing is written down twice.
+// One register of a drive as a row: what its line in the manual's table says. A menu is an array of them:
+//
+//     {"TDC1", 10402, rw,  in<deciseconds>, 1, 300, 5,  "Automatic DC injection: first time", &stopping},
+//     {"NST",  11202, cfg, logic_input,     {}, {}, 0,  "Input for freewheel stop", &stop_input},
+//      mnemonic, address, who may write it, what it holds, least, most, as delivered, name, what it is for a restore
+//
+// `rw` is written at any time, `cfg` only at rest, `ro` never. It holds amounts, `in<...>` their unit and step, or one of a
+// list of choices, or bits. Limits and the value as delivered are counts of that step; `{}` is none, or not known. A limit
+// may be another register: "TFR". Behind the name stands only what is special: why it is no ordinary setting, and which
+// register sets the size of its steps.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <type_traits>
 
+#include <rtuwire/altivar/parameters/parameter_role.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
@@ -23,31 +33,43 @@ namespace altivar {
 /// What the word of a parameter is.
 enum class parameter_kind : std::uint8_t { number, signed_number, bits, enumeration };
 
-/// What the type of a parameter's values tells, once for all parameters of that type.
+/// What a parameter holds, once for all that hold the same.
 struct parameter_type {
     parameter_kind kind;
     literal unit{};                 ///< symbol of what is measured, "Hz"; empty where nothing is
     std::int32_t step_numerator{1}; ///< one count is this fraction of the unit
     std::int32_t step_denominator{1};
-    std::span<named_value const> mnemonics{}; ///< of an enumeration: what the display shows for each value
-    std::span<std::uint16_t const> listed{};  ///< of an enumeration: the values alone
-    std::span<named_value const> meanings{};  ///< in words: of an enumeration's values, of the bits of a word by number
+    std::span<choice const> choices{}; ///< the values of an enumeration, or the bits of a word by number
 };
 
 /// What the values of an enumeration, or the bits of a word, mean; specialised where the list for driving has no words.
 /// Internal.
 template <typename E> inline constexpr auto const& words_of = meanings<E>;
 
+/// The values of an enumeration that has a type, or the bits of such a word, as choices.
+/// Internal.
+template <typename E>
+inline constexpr auto choices_of = [] {
+    constexpr bool has_mnemonics = enumerators<E>.size() != 0;
+    std::array<choice, has_mnemonics ? enumerators<E>.size() : words_of<E>.size()> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if constexpr (has_mnemonics) {
+            named_value const& each = enumerators<E>[i];
+            all[i] = {each.value, each.name, detail::listed_name(words_of<E>, each.value)};
+        } else {
+            all[i] = {words_of<E>[i].value, {}, words_of<E>[i].name};
+        }
+    }
+    return all;
+}();
+
 /// Internal.
 template <detail::register_value T> [[nodiscard]] consteval parameter_type type_of() noexcept
 {
     if constexpr (bit_field<T>) {
-        return {.kind = parameter_kind::bits, .meanings = words_of<typename T::bit_type>};
+        return {.kind = parameter_kind::bits, .choices = choices_of<typename T::bit_type>};
     } else if constexpr (register_enumeration<T>) {
-        return {.kind = parameter_kind::enumeration,
-                .mnemonics = enumerators<T>,
-                .listed = detail::listed_words<T>(),
-                .meanings = words_of<T>};
+        return {.kind = parameter_kind::enumeration, .choices = choices_of<T>};
     } else {
         return {.kind = std::is_signed_v<typename T::rep> ? parameter_kind::signed_number : parameter_kind::number,
                 .unit = T::dimension::symbol,
@@ -55,25 +77,82 @@ template <detail::register_value T> [[nodiscard]] consteval parameter_type type_
                 .step_denominator = T::scale::den};
     }
 }
-/// Internal.
-template <detail::register_value T> inline constexpr parameter_type type_facts = type_of<T>();
 
-/// One parameter.
-struct parameter {
-    literal code; ///< the mnemonic, in upper case
-    literal name; ///< for display
-    std::uint16_t address;
+/// What a row holds whose values have a type: `in<deciseconds>`.
+template <detail::register_value T> inline constexpr parameter_type in = type_of<T>();
+
+/// What rows hold that have a list of their own.
+/// Internal.
+inline constexpr parameter_type one_of_a_list{.kind = parameter_kind::enumeration};
+/// Internal.
+inline constexpr parameter_type bits_of_a_list{.kind = parameter_kind::bits};
+
+/// What a row holds: an amount in a unit, one of a list of choices, or bits.
+class held_values {
+public:
+    constexpr held_values(parameter_type const& type) noexcept : type_{&type} {}
+
+    template <std::size_t Count>
+    constexpr held_values(choice const (&list)[Count], parameter_type const& type = one_of_a_list) noexcept
+        : type_{&type}, first_{list}, count_{Count}
+    {}
+
+    [[nodiscard]] constexpr parameter_type const* operator->() const noexcept { return type_; }
+
+    [[nodiscard]] constexpr std::span<choice const> choices() const noexcept
+    {
+        return count_ == 0 ? type_->choices : std::span<choice const>{first_, count_};
+    }
+
+private:
+    parameter_type const* type_;
+    choice const* first_{nullptr};
+    std::size_t count_{0};
+};
+
+/// A word of bits: the rows of the list are its bits, by number.
+template <std::size_t Count> [[nodiscard]] constexpr held_values bits(choice const (&list)[Count]) noexcept
+{
+    return {list, bits_of_a_list};
+}
+
+/// Who may write a register, and how reliable the source is: `rw` and the like, once for a drive.
+struct row_access {
     access mode;
     provenance source;
-    parameter_type const* type;
-    bound min;                           ///< in raw counts, or by another register
-    bound max;                           ///< in raw counts, or by another register
-    std::optional<std::int32_t> factory; ///< in raw counts, where known
-    literal steps_set_by;                ///< the register that sets the size of a step; empty where none does
-    detail::count_range gap;             ///< raw counts inside the limits that are never written
+};
+
+/// The same, where the source contradicts itself.
+[[nodiscard]] constexpr row_access doubtful(row_access of) noexcept { return {of.mode, provenance::doubtful}; }
+
+/// One parameter, as its row.
+struct parameter {
+    literal code; ///< the mnemonic, in upper case
+    std::uint16_t address;
+    row_access is_written;
+    held_values type;
+    bound min = detail::open_bound;                              ///< in raw counts, or by another register
+    bound max = detail::open_bound;                              ///< in raw counts, or by another register
+    std::optional<std::int32_t> factory = detail::unknown_count; ///< in raw counts, where known
+    literal name = detail::no_text;                              ///< for display
+    row_role const* role{&roles::ordinary};   ///< what it is for whoever copies a configuration, and why
+    literal steps_set_by = detail::no_text;   ///< the register that sets the size of a step; empty where none does
+    detail::count_range gap = detail::no_gap; ///< raw counts inside the limits that are never written
+
+    [[nodiscard]] constexpr access mode() const noexcept { return is_written.mode; }
+    [[nodiscard]] constexpr provenance source() const noexcept { return is_written.source; }
 
     /// Whether it can be written at all.
-    [[nodiscard]] constexpr bool is_writable() const noexcept { return mode != access::read_only; }
+    [[nodiscard]] constexpr bool is_writable() const noexcept { return is_written.mode != access::read_only; }
+
+    /// The values of an enumeration, or the bits of a word by number.
+    [[nodiscard]] constexpr std::span<choice const> choices() const noexcept { return type.choices(); }
+
+    /// The choices that a word has to be one of: those of an enumeration. Without any, each word is one.
+    [[nodiscard]] constexpr std::span<choice const> listed() const noexcept
+    {
+        return type->kind == parameter_kind::enumeration ? type.choices() : std::span<choice const>{};
+    }
 
     /// The count that a word on the wire stands for: below zero only in a register of signed numbers.
     [[nodiscard]] constexpr std::int32_t count_of(std::uint16_t word) const noexcept
@@ -90,26 +169,40 @@ struct parameter {
         std::int64_t const lowest = min.is_number() ? min.raw() : is_signed ? -32'768 : 0;
         std::int64_t const highest = max.is_number() ? max.raw() : is_signed ? 32'767 : 65'535;
         return count >= lowest and count <= highest and not gap.contains(count) and
-               (type->mnemonics.empty() or
-                detail::listed_name(type->mnemonics, static_cast<std::uint16_t>(count)).size() != 0);
+               detail::has_meaning(listed(), static_cast<std::uint16_t>(count));
     }
 };
 
-/// A register as a row. A template for each type of values, not for each register.
-/// Internal.
-template <detail::register_value T> [[nodiscard]] constexpr parameter parameter_of(reg<T> const& from) noexcept
+/// Never defined: reached only in a constant expression, so that the compiler prints the name.
+void a_register_that_is_written_says_what_it_is_for_a_restore();
+
+/// The row of a register that has an object, and what it is for whoever copies a configuration.
+template <detail::register_value T>
+[[nodiscard]] constexpr parameter row_of(reg<T> const& from, row_role const& role) noexcept
 {
-    return {.code = from.code,
-            .name = from.name,
-            .address = from.address,
-            .mode = from.mode,
-            .source = from.source,
-            .type = &type_facts<T>,
-            .min = from.min,
-            .max = from.max,
-            .factory = from.factory,
-            .steps_set_by = from.steps_set_by,
-            .gap = from.gap};
+    return {from.code, from.address, {from.mode, from.source}, in<T>,   from.min, from.max, from.factory,
+            from.name, &role,        from.steps_set_by,        from.gap};
+}
+
+/// The same of a register that is only read.
+template <detail::register_value T> [[nodiscard]] consteval parameter row_of(reg<T> const& from) noexcept
+{
+    if (from.mode != access::read_only) {
+        a_register_that_is_written_says_what_it_is_for_a_restore();
+    }
+    return row_of(from, roles::ordinary);
+}
+
+/// What a parameter is. One that the map does not let be written is `read_only`, whatever its row says.
+[[nodiscard]] constexpr parameter_role role_of(parameter const& row) noexcept
+{
+    return row.is_writable() ? row.role->role : parameter_role::read_only;
+}
+
+/// Why a parameter is no ordinary setting, as the end of a sentence that begins with its mnemonic; empty where it is one.
+[[nodiscard]] constexpr literal why(parameter const& row) noexcept
+{
+    return row.is_writable() ? row.role->why : literal{"is read-only"};
 }
 
 } // namespace altivar

@@ -9,7 +9,6 @@
 #include <span>
 
 #include <rtuwire/altivar/parameters/parameter.hpp>
-#include <rtuwire/altivar/parameters/parameter_list.hpp>
 #include <rtuwire/altivar/parameters/text_match.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
@@ -18,17 +17,11 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
 
-/// Some parameters that belong together, in the order of their addresses.
+/// Some parameters that belong together.
 struct parameter_group {
     literal name; ///< one word, "motor_control"
     std::span<parameter const> rows;
 };
-
-/// A group, which derives from `parameter_list`, as rows.
-template <typename Group> [[nodiscard]] constexpr parameter_group group_of(literal name) noexcept
-{
-    return {name, rows_of<Group>};
-}
 
 /// The groups of a drive.
 class parameter_map {
@@ -66,31 +59,32 @@ public:
         }
     }
 
+private:
+    // In front of what calls it: Clang 14 takes it for undefined in a constant expression else.
+    template <typename Is> [[nodiscard]] constexpr parameter const* found(Is const& is) const noexcept
+    {
+        parameter const* row = nullptr;
+        for_each([&](parameter const& each, parameter_group const&) { row = is(each) ? &each : row; });
+        return row;
+    }
+
+public:
     /// The parameter at an address; null where there is none.
     [[nodiscard]] constexpr parameter const* at(std::uint16_t address) const noexcept
     {
-        parameter const* found = nullptr;
-        for_each(
-            [&](parameter const& each, parameter_group const&) { found = each.address == address ? &each : found; });
-        return found;
+        return found([address](parameter const& each) { return each.address == address; });
     }
 
     /// The parameter of a mnemonic in upper case; null where there is none.
     [[nodiscard]] constexpr parameter const* by_code(literal code) const noexcept
     {
-        parameter const* found = nullptr;
-        for_each([&](parameter const& each, parameter_group const&) { found = each.code == code ? &each : found; });
-        return found;
+        return found([code](parameter const& each) { return each.code == code; });
     }
 
     /// The same of a text that the program gets while it runs, in a std::string_view or a std::string.
     template <text_with_size Text> [[nodiscard]] constexpr parameter const* by_code(Text const& code) const noexcept
     {
-        parameter const* found = nullptr;
-        for_each([&](parameter const& each, parameter_group const&) {
-            found = is_spelled(each.code, code) ? &each : found;
-        });
-        return found;
+        return found([&code](parameter const& each) { return is_spelled(each.code, code); });
     }
 
 private:

@@ -90,7 +90,8 @@ public:
         std::int32_t const raw = known.is_signed ? std::int32_t{static_cast<std::int16_t>(word)} : std::int32_t{word};
         bool const is_inside =
             (known.min.is_open() or raw >= limit(known.min)) and (known.max.is_open() or raw <= limit(known.max));
-        bool const is_right = is_inside and not known.gap.contains(raw) and has_meaning(known.listed, word);
+        bool const is_right = is_inside and not known.gap.contains(raw) and has_meaning(known.listed, word) and
+                              has_meaning(known.choices, word);
         return is_right ? errc::none : errc::illegal_data_value;
     }
 

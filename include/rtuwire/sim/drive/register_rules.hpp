@@ -145,6 +145,7 @@ struct register_rule {
     std::int32_t steps_per_unit;           ///< 10 where it counts tenths; 1 where it is no quantity
     std::span<std::uint16_t const> listed; ///< the words that mean something, of an enumeration
     count_range gap;                       ///< raw counts that it does not take
+    std::span<choice const> choices{};     ///< the same as `listed`, of a row
 };
 
 /// How many steps of a register make one whole unit.
@@ -191,10 +192,10 @@ template <typename Device> inline constexpr bool is_whole = table_of_rows<typena
 /// The count nearest to 0 that a row takes, as far as its limits are numbers; of an enumeration the lowest one.
 template <typename Row> [[nodiscard]] constexpr std::uint16_t nearest_to_zero(Row const& row) noexcept
 {
-    if (not row.type->listed.empty()) {
+    if (not row.listed().empty()) {
         std::uint16_t lowest = 0xFFFF;
-        for (std::uint16_t const each : row.type->listed) {
-            lowest = each < lowest ? each : lowest;
+        for (choice const& each : row.listed()) {
+            lowest = each.word < lowest ? each.word : lowest;
         }
         return lowest;
     }
@@ -230,7 +231,7 @@ template <typename Row> [[nodiscard]] constexpr register_rule rule_of_row(Row co
     std::uint16_t const factory = delivered_by(row);
     return {row.code,
             row.address,
-            row.mode,
+            row.mode(),
             has_signed_type and not is_never_negative,
             is_limit and not row.min.is_number() ? open_bound : row.min,
             is_limit and not row.max.is_number() ? open_bound : row.max,
@@ -238,8 +239,9 @@ template <typename Row> [[nodiscard]] constexpr register_rule rule_of_row(Row co
             raw_in(commissioned_values, row.code, factory),
             is_order_in_menu(row.code),
             steps_per_unit_of(row),
-            row.type->listed,
-            no_gap};
+            {},
+            no_gap,
+            row.listed()};
 }
 
 /// The rules of all parameters, group by group.

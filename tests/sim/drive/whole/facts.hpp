@@ -75,6 +75,17 @@ inline fact fact_of(std::vector<std::string> const& columns)
     return made;
 }
 
+/// Whether a line tells no more than that there is a register: it is no parameter. ETAD is one of those for driving.
+inline bool tells_nothing(std::vector<std::string> const& columns)
+{
+    bool const has_scale = not columns[7].empty() and columns[7] != "?";
+    bool is_empty = not has_scale and columns[2] != "ETAD";
+    for (std::size_t const column : {4U, 6U, 8U, 9U, 10U, 11U}) {
+        is_empty = is_empty and columns[column].empty();
+    }
+    return is_empty;
+}
+
 /// The lines of one drive in the public list; of the ATV310 those of its manual, too, for what only it has.
 inline std::vector<fact> facts_of(std::string const& drive)
 {
@@ -82,7 +93,7 @@ inline std::vector<fact> facts_of(std::string const& drive)
     std::map<std::uint16_t, fact> found;
     for (std::string line; std::getline(file, line);) {
         auto const columns = split(line, '\t');
-        if (columns.size() == 12 and columns[1] == drive) {
+        if (columns.size() == 12 and columns[1] == drive and not tells_nothing(columns)) {
             fact made = fact_of(columns);
             bool const is_public = columns[0] == "public";
             is_public ? found.insert_or_assign(made.address, made) : found.try_emplace(made.address, made);
