@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """Places of any device, of units that nobody here wrote (pymodbus): a meter with function 04 only, and a module with
-coils, discrete inputs and holding registers.
+coils, discrete inputs and holding registers; and what is written to such a module, and to a drive by the same words.
 
     python3 any_device.py TOOL
-    python3 any_device.py --serve DEVICE
+    python3 any_device.py --serve DEVICE ADDRESSES
 """
 import asyncio
 import random
@@ -12,7 +12,7 @@ import struct
 import subprocess
 import sys
 
-METER, MODULE, SHORT = 61, 62, 63
+METER, MODULE, SHORT, SIXTEEN, BRANDED = 61, 62, 63, 64, 65
 VALUES = [230.1, 231.5, -229.875, 49.98, 1e-7, 3.4e38]
 HOLE = 12
 
@@ -33,10 +33,14 @@ COILS = [i % 3 == 0 for i in range(40)]
 INPUTS = [i % 5 == 1 for i in range(40)]
 
 
-async def serve(device):
+async def serve(device, addresses):
     from pymodbus.datastore import ModbusSequentialDataBlock as Block
     from pymodbus.datastore import ModbusServerContext, ModbusSlaveContext, ModbusSparseDataBlock
+    from pymodbus.device import ModbusDeviceIdentification
     from pymodbus.server import StartAsyncSerialServer
+    from pymodbus.bit_write_message import WriteSingleCoilRequest
+    from pymodbus.pdu import ModbusExceptions
+    from pymodbus.register_write_message import WriteSingleRegisterRequest
     from pymodbus.transaction import ModbusRtuFramer
 
     class InputsOnly(ModbusSlaveContext):
@@ -51,14 +55,27 @@ async def serve(device):
         def validate(self, code, address, count=1):
             return count == 1 and super().validate(code, address, count)
 
+    class SeveralOnly(ModbusSlaveContext):
+        """Lacks functions 05 and 06."""
+
+    for request in (WriteSingleCoilRequest, WriteSingleRegisterRequest):
+        def execute(self, context, known=request.execute):
+            lacks = isinstance(context, SeveralOnly)
+            return self.doException(ModbusExceptions.IllegalFunction) if lacks else known(self, context)
+        request.execute = execute
+
     meter = InputsOnly(ir=ModbusSparseDataBlock({1000 + i: word for i, word in enumerate(floats())}), zero_mode=True)
     module = ModbusSlaveContext(hr=Block(0, list(HOLDING)), ir=ModbusSparseDataBlock(
         {i: i for i in range(30) if i != HOLE}), co=Block(0, list(COILS)), di=Block(0, list(INPUTS)), zero_mode=True)
     short = OneEach(hr=Block(0, list(range(100, 120))), zero_mode=True)
-    context = ModbusServerContext(slaves={METER: meter, MODULE: module, SHORT: short}, single=False)
+    sixteen = SeveralOnly(hr=Block(0, [0] * 10), co=Block(0, [False] * 10), zero_mode=True)
+    # A drive that is sold under another name.
+    branded = ModbusSlaveContext(hr=ModbusSparseDataBlock({int(each): 0 for each in addresses.split(",")}), zero_mode=True)
+    identity = ModbusDeviceIdentification(info={0: "Maker", 1: "Module", 2: "1"})
+    context = ModbusServerContext(slaves={METER: meter, MODULE: module, SHORT: short, SIXTEEN: sixteen, BRANDED: branded}, single=False)
     # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
     server = await StartAsyncSerialServer(context, framer=ModbusRtuFramer, port=device, baudrate=38400, parity="N",
-                                          stopbits=2, ignore_missing_slaves=True, defer_start=True)
+                                          stopbits=2, identity=identity, ignore_missing_slaves=True, defer_start=True)
     await server.start()
     print("ready", flush=True)
     await server.serve_forever()
@@ -150,12 +167,90 @@ def check_any_values(tool, check):
         "any type in any order", list(zip(words, [each.get("value") for each in found], wanted)))
 
 
+def check_writes(tool, check):
+    """By functions 05, 06 and 16, and by 15 and 16 alone where a unit lacks the others; what stands there, as struct has it."""
+    how = [*QUIET, "-u", MODULE, "--json"]
+    for beside, status, says in ((["-d", "none"], REFUSED, "--write"), (["--write"], DIFFERS, "--drive, which may be none")):
+        ended = tool.run(*how, *beside, "write", "holding:2=5")
+        check(ended.status == status and says in ended.errors, f"a write with {beside} only is refused", ended)
+    how += ["-d", "none", "--write", "write"]
+    chance = random.Random(61)
+    kinds = (("u16", "H"), ("i16", "h"), ("u32", "I"), ("i32", "i"), ("u64", "Q"), ("i64", "q"), ("f32", "f"), ("f64", "d"))
+    for kind, letter in kinds:
+        size = struct.calcsize(f">{letter}")
+        for order in ("abcd", "cdab", "badc", "dcba") if size > 2 else ("abcd", "badc"):
+            sent = chance.randbytes(size)
+            value = struct.unpack(f">{letter}", sent)[0]
+            value = chance.uniform(-1e6, 1e6) if letter in "fd" else value
+            packed = struct.pack(f">{letter}", value)
+            typed = f"{single(value):.20f}"[:20] if letter == "f" else f"{value:.9f}" if letter == "d" else str(value)
+            packed = struct.pack(f">{letter}", float(typed)) if letter in "fd" else packed
+            ended = tool.run(*how, f"4:{kind}:{order}={typed}")
+            found = tool.run(*QUIET, "-u", MODULE, "--json", "read", f"4-{3 + size // 2}").objects()
+            check(ended.status == DONE and [each["raw"] for each in found] == registers(packed, order),
+                  f"{kind} {order} is written", (ended, found, packed))
+    ended = tool.run(*how, "coil:5=on", "coil:6=off", "holding:8=0x1234", "9:0.1V=230.1V", "10:text4=abc")
+    found = tool.run(*QUIET, "-u", MODULE, "--json", "read", "coil:5-6", "8-11").objects()
+    check(ended.status == DONE and [each["raw"] for each in found] == [1, 0, 0x1234, 2301, 0x6162, 0x6300],
+          "coils, a scale, a text", (ended, found))
+    ended = tool.run(*QUIET, "-u", BRANDED, "-d", "none", "--write", "--allow-run", "write", "holding:8501=6")
+    check(ended.status == REFUSED and "may be a drive" in ended.errors, "a drive under another name is none to write", ended)
+    log = (tool.place / "state" / "rtuwire" / "writes.log").read_text()
+    check("\tcoil:5\t" in log and "\t9:0.1V\t" in log and "230.1 V" in log, "and is noted", log)
+    ended = tool.run(*QUIET, "-u", SIXTEEN, "-d", "none", "--write", "--json", "write", "3=77", "coil:4=on")
+    notes = [each["note"] for each in ended.objects()]
+    found = tool.run(*QUIET, "-u", SIXTEEN, "--json", "read", "3", "coil:4").objects()
+    check(ended.status == DONE and "written by 16" in notes[0] and "written by 15" in notes[1]
+          and [each["raw"] for each in found] == [77, 1], "a unit without 05 and 06 is written, which is said", ended)
+    ended = tool.run(*how, "40001=5")
+    check(ended.status == DIFFERS and "list:40001 is holding:0" in ended.output, "a number of a list is hinted at", ended)
+    for word, says in (("input:3=5", "read only"), ("2.3=1", "as a whole"), ("2:u16=70000", "0 to 65535"),
+                       ("2:0.1V=1.25", "1.2 V or 1.3 V"), ("2-3:u16=1", "one register")):
+        ended = tool.run(*how, "coil:7=on", word)
+        held = tool.run(*QUIET, "-u", MODULE, "--json", "read", "coil:7").objects()[0]["value"]
+        check(ended.status == USAGE and word in ended.errors and says in ended.errors and not held,
+              f"{word} is refused before a frame leaves", ended)
+
+
+MOVES = [["8501=6"], ["holding:8501=6"], ["h:0x2135=0x0006"], ["list:48502=6"], ["8501:u16=6"], ["8501:i16:1=6"],
+         ["8501:badc=1536"], ["8501:hex=6"], ["8501:bits=0x6"], ["8501:bcd16=6"], ["8501:2=12"], ["8501:text2=ab"],
+         ["8602:i16=100"], ["list:48603=100rpm"], ["holding:12761:u16=6"]]
+
+
+def check_drive(tool, check):
+    """A drive's words are protected by whatever words they are named; so are they of a drive that is said to be none."""
+    tool.port = "sim:atv320:7,atv28:4"
+    how = ["-u", 7]
+    plain = tool.run(*how, "--write", "--allow-run", "write", "8501=6")
+    check(plain.status == REFUSED and "commands the motor" in plain.errors, "a command is refused", plain)
+    for words in MOVES:
+        for beside in ([], ["-d", "atv320"], ["-d", "none"]):
+            ended = tool.run(*how, *beside, "--write", "--allow-run", "write", *words)
+            check(ended.status == REFUSED and "commands the motor" in ended.errors, f"{words} {beside} is refused, too", ended)
+        ended = tool.run(*how, "-d", "none", "--write", "write", *words)
+        check(ended.status == REFUSED and "is an atv320" in ended.errors, f"{words} to what is said to be no drive", ended)
+    for word in ("8500:u32=6", "8501-8502:u16=6", "8501.3=1", "8499:u64=6", "8500:text8=ab", "input:8501=6", "coil:8501=on"):
+        for beside in ([], ["-d", "none"]):
+            ended = tool.run(*how, *beside, "--write", "--allow-run", "write", word)
+            check(ended.status == USAGE and word in ended.errors, f"{word} {beside} is refused", ended)
+    for words in (["8401=2"], ["holding:8401=2"], ["8401:u16=2"], ["list:48402=2"], ["7010:u16=0"], ["64000:u16=1"]):
+        ended = tool.run(*how, "--write", "write", *words)
+        check(ended.status == REFUSED and "--allow-run" in ended.errors, f"{words} needs --allow-run", ended)
+    ended = tool.run("-u", 4, "-d", "none", "--write", "write", "400:u16=6")
+    check(ended.status == REFUSED and "is an atv28" in ended.errors, "a drive is known by its registers as well", ended)
+    ended = tool.run(*how, "--write", "--json", "write", "9001:0.1s=1.3s")
+    check(ended.status == DONE and ended.objects()[0]["register"] == "ACC", "what is harmless is written", ended)
+    ended = tool.run(*how, "-d", "none", "stop")
+    check(ended.status == DONE, "stop stops what is said to be no drive", ended)
+
+
 def check_refusals(tool, check):
     """Refused before a frame leaves, with what to do."""
     for words, says in ((["input:40:f33"], "did you mean f32?"), (["inputs:40"], "did you mean input?"),
-                        (["coil:1:u16"], "leave out ':u16'"), (["40-42:f32"], "end the range at 43")):
+                        (["coil:1:u16"], "leave out ':u16'"), (["40-42:f32"], "end the range at 43"),
+                        (["RFR", "40:f33"], "did you mean f32?")):
         ended = tool.run(*QUIET, "-u", MODULE, "read", *words)
-        check(ended.status == 2 and words[0] in ended.errors and says in ended.errors, f"{words} is refused", ended)
+        check(ended.status == 2 and words[-1] in ended.errors and says in ended.errors, f"{words} is refused", ended)
 
 
 def check_stop(tool, check):
@@ -169,16 +264,18 @@ def check_stop(tool, check):
 def main(check, program):
     with Tool(program) as tool, Programs() as others:
         check_stop(tool, check)
+        addresses = ",".join(row["address"] for row in tool.run("--csv", "list", "-d", "atv320").rows())
         near_end, tool.port = others.line()
-        others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
-        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals):
+        others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@", addresses], stderr=subprocess.DEVNULL)
+        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes,
+                     check_drive):
             part(tool, check)
 
 
 if len(sys.argv) > 1 and sys.argv[1] == "--serve":
-    asyncio.run(serve(sys.argv[2]))
+    asyncio.run(serve(*sys.argv[2:]))
 else:
-    from support import Tool, runs
+    from support import DIFFERS, DONE, REFUSED, USAGE, Tool, runs
 
     from pair import Programs  # noqa: I100
 

@@ -228,6 +228,98 @@ TEST_CASE("a scale is exact, with a unit and what is added")
     CHECK(text("40:f32:0.001kV", {0x4366, 0x199A}) == "0.2301 kV");
 }
 
+TEST_CASE("a value that is typed is the registers that show it")
+{
+    struct row {
+        std::string_view where, typed, shown;
+        words held;
+    };
+    row const rows[]{
+        {"40:f32", "230.1", "230.1", {0x4366, 0x199A}},
+        {"40:f32:cdab", "230.1", "230.1", {0x199A, 0x4366}},
+        {"40:f32:badc", "+230.1", "230.1", {0x6643, 0x9A19}},
+        {"40:f32:dcba", "230.1", "230.1", {0x9A19, 0x6643}},
+        {"40:f32:0.001kV", "0.2301kV", "0.2301 kV", {0x4366, 0x199A}},
+        {"40:f32", "0x4366199A", "230.1", {0x4366, 0x199A}},
+        {"40:f64", "-1.5", "-1.5", {0xBFF8, 0, 0, 0}},
+        {"40:u16", "65535", "65535", {0xFFFF}},
+        {"40:i16", "-2", "-2", {0xFFFE}},
+        {"40:u32:cdab", "131073", "131073", {0x0001, 0x0002}},
+        {"40:u64", "18446744073709551615", "18446744073709551615", {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}},
+        {"40:i64", "-2", "-2", {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFE}},
+        {"40:u64:dcba", "72623859790382856", "72623859790382856", {0x0807, 0x0605, 0x0403, 0x0201}},
+        {"40:bcd16", "1234", "1234", {0x1234}},
+        {"40:bcd32:cdab", "12345678", "12345678", {0x5678, 0x1234}},
+        {"40:0.1V", "230.1 V", "230.1 V", {2301}},
+        {"40:0.1V", "#2301", "230.1 V", {2301}},
+        {"40:0.1V", "0x08FD", "230.1 V", {2301}},
+        {"40:0.1degC-50", "-50", "-50.0 degC", {0}},
+        {"40:0.1degC-50", "22.3", "22.3 degC", {723}},
+        {"40:10W", "120", "120 W", {12}},
+        {"40:text5", "ABC", "ABC", {0x4142, 0x4300, 0x0000}},
+        {"40:text3:badc", "ABC", "ABC", {0x4241, 0x0043}},
+        {"40:hex", "0xAF", "0x00AF", {0x00AF}},
+        {"40:bits", "19", "0x0013 (0, 1, 4)", {0x0013}},
+        {"coil:3", "on", "1", {1}},
+        {"coil:3", "OFF", "0", {0}},
+    };
+    for (row const& each : rows) {
+        INFO(each.where << "=" << each.typed);
+        tool::place const where = tool::read_places(each.where).places.at(0);
+        tool::words_typed const typed = tool::words_for(where, each.typed);
+        CHECK(typed.wrong == "");
+        CHECK(typed.words == each.held);
+        CHECK(tool::value_of(where, typed.words).text == each.shown);
+    }
+}
+
+TEST_CASE("a value that is none is refused, with what would be one")
+{
+    struct row {
+        std::string_view where, typed, says;
+    };
+    constexpr row rows[]{
+        {"40:u16", "65536", "it takes 0 to 65535"},
+        {"40:u16", "-1", "it takes 0 to 65535"},
+        {"40:u16:0.1V", "6553.6", "it takes 0.0 V to 6553.5 V"},
+        {"40:i32", "2147483648", "it takes -2147483648 to 2147483647"},
+        {"40:u64", "18446744073709551616", "it takes 0 to 18446744073709551615"},
+        {"40:u64", "184467440737095516160", "more than 20 digits"},
+        {"40:bcd16", "10000", "it takes 0 to 9999"},
+        {"40:bcd16", "0x00AF", "these registers are no number of its type"},
+        {"40:0.1V", "230.15", "no whole number of its steps: say 230.1 V or 230.2 V"},
+        {"40:i16:0.1V", "-0.05", "say -0.1 V or 0.0 V"},
+        {"40:u16", "1.5", "say 1 or 2"},
+        {"40:0.1V", "230,1V", "a number is written with a point"},
+        {"40:0.1V", "230.1kV", "it is in V, not in kV"},
+        {"40:u16", "5V", "leave it out, or say the scale"},
+        {"40:u16", "", "it takes a number"},
+        {"40:u16", "nan", "it takes a number"},
+        {"40:f32", "nan", "it takes a number"},
+        {"40:f32", "inf", "it takes a number"},
+        {"40:f32", "1e5", "'e5' is none"},
+        {"40:f32", "400000000000000000000000000000000000000", "more than its type holds"},
+        {"40:f32:0.000001", "99999999999999999999", ""},
+        {"40:f32", "0.0000000000000000000000001", ""},
+        {"40:f32", "0x7FC00000", "these registers are no number of its type"},
+        {"40:f32", "#5", "has no count"},
+        {"40:f32:cdab", "0x199A4366", "its bytes come as cdab, so 0x may mean two numbers"},
+        {"40:u16", "0x10000", "at most 4 hexadecimal digits"},
+        {"40:u16", "0x", "at most 4 hexadecimal digits"},
+        {"40:u16", "#1.5", "behind # stands a whole number"},
+        {"40:u16", "#70000", "it takes 0 to 65535"},
+        {"40:text3", "ABCD", "a text of at most 3 bytes"},
+        {"40:text3", "A\n", "without control characters"},
+        {"coil:3", "2", "a coil is on or off"},
+    };
+    for (row const& each : rows) {
+        INFO(each.where << "=" << each.typed);
+        tool::words_typed const typed = tool::words_for(tool::read_places(each.where).places.at(0), each.typed);
+        CHECK(typed.words.empty() == not each.says.empty());
+        CHECK_THAT(typed.wrong, Catch::Matchers::Contains(std::string{each.says}));
+    }
+}
+
 TEST_CASE("a number of five digits may be from a list")
 {
     CHECK(tool::list_hint(40'001) == "list:40001 is holding:0");

@@ -42,7 +42,7 @@ std::string outcome(std::string_view drive, std::string_view word, registers con
         return text;
     }
     CHECK(found.is_ready());
-    return std::to_string(found.word) + " = " + found.text;
+    return std::to_string(found.words.at(0)) + " = " + found.text;
 }
 
 /// The sentence of a refusal.
@@ -212,10 +212,38 @@ TEST_CASE("each word of each register that may be written is written back from i
                 auto const found = tool::check_value(typed, drive);
                 INFO(drive->name << ' ' << typed);
                 REQUIRE(found.is_ready() == raw.is_ready());
-                REQUIRE((not found.is_ready() or found.word == word));
+                REQUIRE((not found.is_ready() or found.words == std::vector{word}));
                 written += found.is_ready() ? 1U : 0U;
             }
         }
     }
     CHECK(written > 10'000);
+}
+
+TEST_CASE("a drive's register is the same by whatever place it is named")
+{
+    for (std::string_view const place :
+         {"holding:9001", "h:0x2329", "list:49002", "9001:u16", "9001:hex", "9001:i16"}) {
+        std::string const word{place};
+        INFO(word);
+        CHECK(outcome("atv320", word + "=0x000D", {{"INR", 1}}) == "13 = 1.3 s");
+        CHECK(checked("atv320", word + "=0x000D").entry == tool::catalog_named("atv320")->by_code("ACC"));
+    }
+    CHECK(outcome("atv320", "9001:u16=13") == outcome("atv320", "9001=#13"));
+    CHECK(outcome("atv320", "holding:9001=13") == "unit_missing");
+    CHECK(outcome("atv320", "holding:9001=1.3s", {{"INR", 1}}) == outcome("atv320", "ACC=1.3s", {{"INR", 1}}));
+    CHECK(outcome("atv320", "9001:i16=-1") == outcome("atv320", "9001=#-1"));
+    CHECK(outcome("atv320", "9001:i16=-1") == "value_too_low");
+    CHECK(outcome("atv320", "8602:u16=65535") == "value_too_high");
+    CHECK(outcome("atv320", "8602:i16=-1") == outcome("atv320", "8602=#-1"));
+    CHECK(outcome("atv320", "holding:3202=1") == "read_only");
+    CHECK(outcome("atv320", "8500:u32=6") == "not_of_a_drive");
+    CHECK(outcome("atv320", "coil:8501=on") == "not_of_a_drive");
+    CHECK(outcome("atv320", "input:8501=6") == "read_only");
+    CHECK(outcome("atv320", "8501.3=1") == "single_bit");
+    CHECK(outcome("atv320", "8501-8502:u16=1") == "several_registers");
+    CHECK(outcome("", "input:40=6") == "read_only");
+    CHECK(outcome("", "40.3=1") == "single_bit");
+    CHECK(outcome("", "coil:40=on") == "1 = 1");
+    CHECK(outcome("", "40:0.1V=230.1V") == "2301 = 230.1 V");
 }

@@ -161,7 +161,14 @@ void add_reading(CLI::App& app, choices& chosen)
 void add_writing(CLI::App& app, choices& chosen)
 {
     CLI::App& write = add_command(app, chosen, "write", "write registers, and read them back (--write)");
-    add_operands(write, chosen, "REG=VALUE", "ACC=1.3s, SLL=YES, 3104=60Hz", true);
+    add_operands(
+        write, chosen, "REG=VALUE",
+        "ACC=1.3s, SLL=YES, 3104=60Hz; of what is no drive, with --drive none, holding:40:0.1V=230.1V, coil:3=on, "
+        "40:f32:cdab=21.5",
+        true);
+    add_to_footer(write,
+                  "A place of any device, written by function 05, 06 or 16; #2301 is a count without its scale:\n" +
+                      places_text());
     CLI::App& start = add_command(app, chosen, "start", "run a motor until somebody ends this program (--allow-run)");
     auto* const speed =
         start.add_option("--speed", chosen.motion.speed,

@@ -46,9 +46,9 @@ public:
     {
         refuse_wrong_log();
         open_line line{chosen_.line};
-        drive_ = &catalog_of(line, unit_.unit, unit_.drive);
+        drive_ = catalog_to_write(line, unit_, chosen_.allowed);
         std::vector<value_to_write> const values = checked(line);
-        if (std::optional<ended> const why = why_not_now(values, line, unit_.unit, *drive_, chosen_.allowed)) {
+        if (std::optional<ended> const why = why_not(values, line)) {
             throw ended{*why};
         }
         std::vector<held_text> const before = read(line, values);
@@ -85,7 +85,7 @@ private:
             auto const written = std::find_if(values.rbegin(), values.rend(), [code](value_to_write const& each) {
                 return each.entry != nullptr and each.entry->code == code;
             });
-            return written != values.rend() ? std::optional{written->word} : limits.known()(code);
+            return written != values.rend() ? std::optional{written->words[0]} : limits.known()(code);
         };
         for (std::string const& word : chosen_.words) {
             value_to_write value = check_value(word, drive_, known);
@@ -119,14 +119,21 @@ private:
         if (value.refused) {
             refuse(*value.refused);
         }
-        refuse_unsafe_write(value, *drive_, chosen_);
+        if (drive_ != nullptr) {
+            refuse_unsafe_write(value, *drive_, chosen_);
+        }
+    }
+
+    std::optional<ended> why_not(std::vector<value_to_write> const& values, open_line& line) const
+    {
+        return drive_ == nullptr ? std::nullopt : why_not_now(values, line, unit_.unit, *drive_, chosen_.allowed);
     }
 
     std::vector<held_text> read(open_line& line, std::vector<value_to_write> const& values)
     {
         std::vector<chosen_register> all;
         for (value_to_write const& each : values) {
-            all.push_back({{each.address}, each.entry});
+            all.push_back({each.where, each.entry});
         }
         register_reader reader{all, drive_};
         reader.read(line, unit_.unit);
@@ -142,7 +149,7 @@ private:
     {
         for (std::size_t i = 0; i < values.size(); ++i) {
             std::fprintf(stderr, "unit %u: %s: %s -> %s\n", unsigned{unit_.unit.byte()},
-                         label_of({{values[i].address}, values[i].entry}).c_str(), shown(before[i]).c_str(),
+                         label_of({values[i].where, values[i].entry}).c_str(), shown(before[i]).c_str(),
                          values[i].text.c_str());
         }
         return is_answered_yes("write?");
@@ -153,10 +160,10 @@ private:
     void refuse_what_changed(std::vector<value_to_write> const& confirmed, std::vector<value_to_write> const& now) const
     {
         for (std::size_t i = 0; i < confirmed.size(); ++i) {
-            if (now[i].word != confirmed[i].word) {
+            if (now[i].words != confirmed[i].words) {
                 throw ended{exit_status::refused,
-                            '\'' + chosen_.words[i] + "' was " + std::to_string(confirmed[i].word) +
-                                " in the unit's steps when you were asked, and is " + std::to_string(now[i].word) +
+                            '\'' + chosen_.words[i] + "' was " + std::to_string(confirmed[i].words[0]) +
+                                " in the unit's steps when you were asked, and is " + std::to_string(now[i].words[0]) +
                                 " now: somebody changed them; nothing is written"};
             }
         }
@@ -166,37 +173,71 @@ private:
     /// were checked somebody was asked, and others were written: a motor may run by now.
     exit_status write(open_line& line, value_to_write const& value, held_text const& before)
     {
-        if (auto const why = why_not_now({value}, line, unit_.unit, *drive_, chosen_.allowed)) {
+        if (auto const why = why_not({value}, line)) {
             show(value, before, before, std::string{"not written: "} + why->what(), {});
             return why->status;
         }
-        auto const outcome = line.ask(unit_.unit, rtuwire::write_single_register{value.address, value.word});
-        std::string const failure = line.words_of_failure(outcome.error());
-        bool const is_taken = outcome.error() == errc::none;
+        std::string note;
+        errc const outcome = send(line, value, note);
+        std::string const failure = line.words_of_failure(outcome) + hint_at_list({value.where, value.entry}, outcome);
+        bool const is_taken = outcome == errc::none;
         // An order is no value that stays, and a drive that saves is silent meanwhile.
-        bool const is_order = value.entry != nullptr and takes_orders(*value.entry, *drive_);
-        rtuwire::result<std::uint16_t> const held = not is_order ? read_back(line, value.address)
-                                                    : is_taken   ? rtuwire::result<std::uint16_t>{value.word}
-                                                                 : outcome.error();
-        held_text const after = held ? held_text{value.text_of_word(*held)} : std::nullopt;
+        bool const is_order = drive_ != nullptr and value.entry != nullptr and takes_orders(*value.entry, *drive_);
+        held_words const held =
+            is_order ? held_words{outcome, value.words, failure} : read_place(line, unit_.unit, value.where);
+        bool const is_read = held.why == errc::none;
+        held_text const after = is_read ? held_text{value.text_of_words(held.words)} : std::nullopt;
         std::string error;
         exit_status status = exit_status::done;
-        if (not held) {
-            error = is_taken ? line.words_of_failure(held.error()) : failure;
-            status = status_of(is_taken ? held.error() : outcome.error());
-        } else if (*held != value.word) {
+        if (not is_read) {
+            error = is_taken ? held.failure : failure;
+            status = status_of(is_taken ? held.why : outcome);
+        } else if (held.words != value.words) {
             error = is_taken ? "the unit holds another value" : failure;
-            status = is_taken ? exit_status::differs : status_of(outcome.error());
-        } else if (is_refusal(outcome.error())) {
+            status = is_taken ? exit_status::differs : status_of(outcome);
+        } else if (is_refusal(outcome)) {
             error = failure;
             status = exit_status::differs;
         }
-        std::string note = is_taken or not error.empty() ? std::string{} : failure + ": read back";
-        if (not is_refusal(outcome.error())) {
+        append(note, is_taken or not error.empty() ? std::string{} : failure + ": read back");
+        if (not is_refusal(outcome)) {
             append(note, logged(value, before, after));
         }
         show(value, before, after, error, note);
         return status;
+    }
+
+    /// By function 05 or 06, of several registers by 16. A device that lacks 05 or 06 is written by 15 or 16, which is noted.
+    errc send(open_line& line, value_to_write const& value, std::string& note)
+    {
+        std::uint16_t const address = value.where.address;
+        bool const is_coil = value.where.is_single_bit();
+        if (value.words.size() > 1) {
+            return send_all(line, value);
+        }
+        errc const why = is_coil
+                             ? line.ask(unit_.unit, rtuwire::write_single_coil{address, value.words[0] != 0}).error()
+                             : line.ask(unit_.unit, rtuwire::write_single_register{address, value.words[0]}).error();
+        if (why != errc::illegal_function or drive_ != nullptr) {
+            return why;
+        }
+        note = is_coil ? "the unit has no function 05: written by 15" : "the unit has no function 06: written by 16";
+        return is_coil ? line.ask(unit_.unit,
+                                  rtuwire::write_multiple_coils{address, rtuwire::bit_block{value.words[0] != 0}})
+                             .error()
+                       : send_all(line, value);
+    }
+
+    errc send_all(open_line& line, value_to_write const& value)
+    {
+        std::vector<std::byte> bytes;
+        for (std::uint16_t const word : value.words) {
+            bytes.push_back(static_cast<std::byte>(word >> 8U));
+            bytes.push_back(static_cast<std::byte>(word & 0xFFU));
+        }
+        return line
+            .ask(unit_.unit, rtuwire::write_multiple_registers{value.where.address, rtuwire::register_view{bytes}})
+            .error();
     }
 
     /// Whether the unit itself says that it did not write. What a gateway says tells nothing of the unit.
@@ -214,7 +255,7 @@ private:
         std::string all = error;
         append(all, note);
         record row{{"unit", std::int64_t{unit_.unit.byte()}},
-                   {"register", label_of({{value.address}, value.entry})},
+                   {"register", label_of({value.where, value.entry})},
                    {"before", cell_of(before, is_table)},
                    {"after", cell_of(after, is_table and error != not_tried)},
                    {"note", all}};
@@ -235,19 +276,13 @@ private:
         note += (note.empty() or more.empty() ? "" : "; ") + more;
     }
 
-    rtuwire::result<std::uint16_t> read_back(open_line& line, std::uint16_t address)
-    {
-        auto const read = line.ask(unit_.unit, rtuwire::read_holding_registers{.start = address, .count = 1});
-        return read ? rtuwire::result<std::uint16_t>{read->registers[0]} : read.error();
-    }
-
     std::string logged(value_to_write const& value, held_text const& before, held_text const& after)
     {
         unsigned const unit = unit_.unit.byte();
         std::string const why =
-            log_write({chosen_.line.port, unit, label_of({{value.address}, value.entry}), shown(before), shown(after)});
+            log_write({chosen_.line.port, unit, label_of({value.where, value.entry}), shown(before), shown(after)});
         std::string note = why.empty() ? std::string{} : "not noted: " + why;
-        if (value.address == drive_->layout.cmi) {
+        if (drive_ != nullptr and value.where.address == drive_->layout.cmi) {
             append(note, why.empty() ? "saved to EEPROM " + std::to_string(count_saves(chosen_.line.port, unit)) +
                                            " times by this user"
                                      : "how often this user has saved to EEPROM is not known");

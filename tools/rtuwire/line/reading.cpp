@@ -39,8 +39,9 @@ void explain(reading& it, chosen_register const& which, std::uint16_t word, regi
 /// Whether the drive's table says what it is: a form that was typed goes before.
 bool is_named(chosen_register const& which) { return which.entry != nullptr and which.where.form.said.empty(); }
 
-/// A number from a list of a manual may be meant, where there is no such register.
-std::string hint(chosen_register const& which, rtuwire::errc why)
+} // namespace
+
+std::string hint_at_list(chosen_register const& which, rtuwire::errc why)
 {
     place const& where = which.where;
     bool const may_be_listed =
@@ -48,8 +49,6 @@ std::string hint(chosen_register const& which, rtuwire::errc why)
     std::string const listed = may_be_listed ? list_hint(where.address) : std::string{};
     return listed.empty() ? listed : "; " + listed;
 }
-
-} // namespace
 
 std::string label_of(chosen_register const& which)
 {
@@ -72,7 +71,7 @@ reading reading_of(chosen_register const& which, register_reader const& from, dr
     held_words const& held = from.held(where);
     reading it{label_of(which), held.why == rtuwire::errc::none, {}, {}, {}, held.failure};
     if (not it.is_read) {
-        it.text += hint(which, held.why);
+        it.text += hint_at_list(which, held.why);
         return it;
     }
     it.raw = held.words.size() == 1 ? cell{std::int64_t{held.words[0]}} : cell{hex_words(held.words)};

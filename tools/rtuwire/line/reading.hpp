@@ -13,6 +13,9 @@ namespace tool {
 /// "RFR", "ETA.fault"; "3202" where it has no mnemonic, and "input:40:f32" of another place.
 std::string label_of(chosen_register const& which);
 
+/// "; list:40001 is holding:0" where a unit has no such register, and a number from a manual's list may be meant.
+std::string hint_at_list(chosen_register const& which, rtuwire::errc why);
+
 /// What a place holds.
 struct reading {
     std::string label;

@@ -56,6 +56,13 @@ unsigned limit_of(register_space space, drive_catalog const* drive)
 
 } // namespace
 
+held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where)
+{
+    words_read read = words_of(line, unit, where.space, where.address,
+                               where.is_single_bit() ? std::uint16_t{1} : where.form.registers());
+    return {read.why, std::move(read.words), read.why == errc::none ? std::string{} : line.words_of_failure(read.why)};
+}
+
 register_reader::register_reader(std::vector<chosen_register> const& chosen, drive_catalog const* drive) : drive_{drive}
 {
     std::set<run> runs;

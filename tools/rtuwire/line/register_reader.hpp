@@ -28,6 +28,9 @@ struct held_words {
     std::string failure{};              ///< why, in words
 };
 
+/// Asks for one place.
+held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where);
+
 class register_reader {
 public:
     /// With the registers that set the steps of those that were chosen. Without a drive (null) up to 125 at once.

@@ -27,6 +27,9 @@ std::string_view family_of(std::string_view product)
     return product.substr(0, static_cast<std::size_t>(end - product.begin()));
 }
 
+/// Also those of which this program has no table.
+bool is_altivar(std::string_view product) { return is_same_word(product.substr(0, 3), "ATV"); }
+
 std::string text_of_bytes(rtuwire::byte_view bytes)
 {
     std::string text;
@@ -192,6 +195,7 @@ void recognise_by_registers(open_line& line, rtuwire::unit_id unit, errc outcome
     std::string const why = line.words_of_failure(outcome);
     fingerprint marks{line, unit};
     candidates found = marks.among(all_drives());
+    who.may_be_drive = not found.empty();
     if (rtuwire::is_exception(outcome)) {
         found = without_identity(std::move(found));
     }
@@ -226,6 +230,7 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
         who.is_another = left.empty();
         tell_apart(line, unit, left);
         who.drive = left.size() == 1 ? std::string{left.front()->name} : std::string{};
+        who.may_be_drive = not left.empty() or is_altivar(who.product);
     }
     return who;
 }
@@ -269,11 +274,41 @@ drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::str
         return catalog_chosen(who.drive);
     }
     std::string const number = "unit " + std::to_string(unit.byte());
+    std::string const say_drive = who.may_be_drive ? "; say --drive" : "; say --drive, which may be none";
     if (who.product.empty() and not who.note.empty()) {
-        throw ended{who.outcome, number + ": " + who.note + (who.has_answered ? "; say --drive" : "")};
+        throw ended{who.outcome, number + ": " + who.note + (who.has_answered ? say_drive : "")};
     }
     throw ended{exit_status::differs,
-                number + " is a '" + who.vendor + " " + who.product + "', no drive of this program; say --drive"};
+                number + " is a '" + who.vendor + " " + who.product + "', no drive of this program" + say_drive};
+}
+
+drive_catalog const* catalog_to_write(open_line& line, named_unit const& unit, permissions const& allowed)
+{
+    if (unit.drive != no_drive) {
+        return &catalog_of(line, unit.unit, unit.drive);
+    }
+    identity_words const who = who_is_it(line, unit.unit);
+    std::string const number = "unit " + std::to_string(unit.unit.byte());
+    if (not who.drive.empty()) {
+        if (not allowed.may_run) {
+            refuse_for_safety(
+                number + " is an " + who.drive +
+                ", and --drive none says that it is no drive: leave that out, or say --allow-run besides");
+        }
+        return catalog_named(who.drive);
+    }
+    if (not who.is_another and not who.has_answered and not who.may_be_drive) {
+        throw ended{who.outcome == exit_status::done ? exit_status::differs : who.outcome,
+                    number + ": " + who.note + "; whether it is a drive is not known, so nothing is written"};
+    }
+    // Whatever it calls itself: a drive is sold under other names, too.
+    bool const may_be_drive = who.may_be_drive or not fingerprint{line, unit.unit}.among(all_drives()).empty();
+    if (may_be_drive) {
+        refuse_for_safety(
+            number + (who.product.empty() ? "" : ", a '" + who.product + "',") +
+            " may be a drive: it has the registers of one, or its name; --drive none is for what is none");
+    }
+    return nullptr;
 }
 
 } // namespace tool

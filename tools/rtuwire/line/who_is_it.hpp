@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "catalog/catalog.hpp"
+#include "line/line_words.hpp"
 #include "line/open_line.hpp"
 
 namespace tool {
@@ -21,6 +22,7 @@ struct identity_words {
     exit_status outcome{exit_status::done};
     bool is_another{false};   ///< it said that it is none of these drives, or refused to say who it is and is none
     bool has_answered{false}; ///< though it did not say who it is: --drive helps
+    bool may_be_drive{false}; ///< which one is not known: it is of a family, or has the registers of one
 };
 
 /// Asks for its identification; then, where that leaves several drives or none, reads registers that tell them apart.
@@ -39,6 +41,10 @@ inline constexpr std::string_view no_drive = "none";
 
 /// The catalog of that name, null of `no_drive`; refuses others with the nearest.
 drive_catalog const* catalog_or_none(std::string const& name);
+
+/// The table by whose rules a unit is written; null of one that is no drive and was said to be none. A drive that is said
+/// to be none is refused; with --allow-run its own table counts all the same.
+drive_catalog const* catalog_to_write(open_line& line, named_unit const& unit, permissions const& allowed);
 
 /// The catalog of that name; refuses others with the nearest.
 drive_catalog const& catalog_chosen(std::string const& name);

@@ -90,13 +90,14 @@ std::optional<ended> why_not_now(std::vector<value_to_write> const& values, open
 void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, choices const& chosen)
 {
     permissions const& allowed = chosen.allowed;
-    std::string const label = value.entry != nullptr ? std::string{value.entry->code} : std::to_string(value.address);
-    if (commands_a_motor(value.address, drive)) {
+    std::string const label =
+        value.entry != nullptr ? std::string{value.entry->code} : std::to_string(value.where.address);
+    if (commands_a_motor(value.where.address, drive)) {
         refuse_for_safety(label + " commands the motor: that is what the command start is for; `" +
                           shown_command(chosen.line, "stop") + "` stops it");
     }
     if (value.entry == nullptr) {
-        if (drive_catalog const* const other = commanded_there(value.address)) {
+        if (drive_catalog const* const other = commanded_there(value.where.address)) {
             refuse_for_safety("register " + label + " is none of an " + std::string{drive.name} +
                               ", and commands the motor of an " + std::string{other->name} +
                               ", which this unit may be: `identify` asks it");
@@ -109,7 +110,7 @@ void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive
         refuse_without_run(allowed, label + " " + why + ": a motor may turn after it");
     }
     if (value.is_ready()) {
-        refuse_unsafe_value(*value.entry, value.word, drive, allowed);
+        refuse_unsafe_value(*value.entry, value.words[0], drive, allowed);
     }
 }
 

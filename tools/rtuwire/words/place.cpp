@@ -465,6 +465,23 @@ std::uint16_t value_form::registers() const noexcept
     return found == std::end(type_words) ? std::uint16_t{1} : found->registers;
 }
 
+std::string value_form::letters() const
+{
+    std::size_t const size = std::size_t{2} * registers();
+    if (order.size() == size) {
+        return order;
+    }
+    bool const has_low_word_first = order == "cdab" or order == "dcba";
+    bool const has_low_byte_first = order == "badc" or order == "dcba";
+    std::string letters;
+    for (std::size_t i = 0; i < size; ++i) {
+        std::size_t const word = has_low_word_first ? size / 2 - 1 - i / 2 : i / 2;
+        std::size_t const byte = has_low_byte_first ? 1 - i % 2 : i % 2;
+        letters += static_cast<char>('a' + 2 * word + byte);
+    }
+    return letters;
+}
+
 bool is_place_word(std::string_view word) noexcept
 {
     std::size_t const dot = word.find('.');

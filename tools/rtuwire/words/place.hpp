@@ -40,6 +40,8 @@ struct value_form {
 
     /// The registers of a value.
     [[nodiscard]] std::uint16_t registers() const noexcept;
+    /// For each byte of a number as it comes, which of its bytes it is, `a` the highest.
+    [[nodiscard]] std::string letters() const;
 
     friend auto operator<=>(value_form const&, value_form const&) = default;
 };

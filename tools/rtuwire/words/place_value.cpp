@@ -11,35 +11,18 @@
 #include <utility>
 
 #include "catalog/value_text.hpp"
+#include "words/amount_words.hpp"
 
 namespace tool {
 
 namespace {
 
-__extension__ typedef __int128 wide;
-
-/// For each byte of a value as it comes, which byte of the value it is, `a` the highest.
-std::string letters_of(value_form const& form)
-{
-    std::size_t const size = 2U * form.registers();
-    if (form.order.size() == size) {
-        return form.order;
-    }
-    bool const has_low_word_first = form.order == "cdab" or form.order == "dcba";
-    bool const has_low_byte_first = form.order == "badc" or form.order == "dcba";
-    std::string letters;
-    for (std::size_t i = 0; i < size; ++i) {
-        std::size_t const word = has_low_word_first ? size / 2 - 1 - i / 2 : i / 2;
-        std::size_t const byte = has_low_byte_first ? 1 - i % 2 : i % 2;
-        letters += static_cast<char>('a' + 2 * word + byte);
-    }
-    return letters;
-}
+using wide = exact_amount::wide;
 
 /// All bits of a number of up to four registers.
 std::uint64_t bits_of(value_form const& form, std::span<std::uint16_t const> words)
 {
-    std::string const letters = letters_of(form);
+    std::string const letters = form.letters();
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < letters.size(); ++i) {
         std::uint64_t const byte = (words[i / 2] >> (i % 2 == 0 ? 8U : 0U)) & 0xFFU;

@@ -10,6 +10,7 @@
 #include "catalog/register_limits.hpp"
 #include "catalog/value_text.hpp"
 #include "words/amount_words.hpp"
+#include "words/place_value.hpp"
 #include "words/register_words.hpp"
 
 namespace tool {
@@ -30,7 +31,9 @@ public:
             refuse("no_value", "a value is written as REG=VALUE: ACC=1.3s");
         } else if (find_register(word_.substr(0, equals))) {
             std::string_view const text = trimmed(word_.substr(equals + 1));
-            if (read_count(text) and count_) {
+            if (drive_ == nullptr) {
+                static_cast<void>(read_formed(text));
+            } else if (read_count(text) and count_) {
                 check_count();
             }
         }
@@ -54,7 +57,7 @@ private:
 
     bool find_register(std::string_view name)
     {
-        is_by_address_ = not name.empty() and is_digit(name[0]);
+        is_by_address_ = not name.empty() and (is_digit(name[0]) or is_place_word(name));
         register_selection const chosen = select_registers(std::span{&name, 1}, drive_);
         if (chosen.refused) {
             found_.refused = chosen.refused;
@@ -63,19 +66,54 @@ private:
         if (chosen.registers.size() != 1) {
             return refuse("several_registers", "a value goes to one register");
         }
-        if (chosen.registers[0].where.bit >= 0) {
-            return refuse("single_bit", "a register is written as a whole: name all its bits that shall be 1, as in "
-                                        "CMD=switch_on+quick_stop");
-        }
-        if (place const& where = chosen.registers[0].where;
-            where.space != register_space::holding or not where.form.said.empty()) {
-            return refuse("wrong_place", "only holding registers are written, as whole words: REG=VALUE");
-        }
-        found_.address = chosen.registers[0].where.address;
+        found_.where = chosen.registers[0].where;
         found_.entry = chosen.registers[0].entry;
+        if (found_.where.bit >= 0) {
+            return refuse("single_bit",
+                          drive_ == nullptr
+                              ? "a register is written as a whole: say its value, such as 0x0008"
+                              : "a register is written as a whole: name all its bits that shall be 1, as in "
+                                "CMD=switch_on+quick_stop");
+        }
+        if (found_.where.space == register_space::input or found_.where.space == register_space::discrete) {
+            return refuse("read_only", "input registers and discrete inputs are read only");
+        }
+        if (drive_ != nullptr and
+            (found_.where.space != register_space::holding or found_.where.form.registers() > 1)) {
+            return refuse("not_of_a_drive", "an " + std::string{drive_->name} +
+                                                " has holding registers only, which are written one at a time, each "
+                                                "checked by what is known of it");
+        }
         if (found_.entry != nullptr and not found_.entry->is_writable()) {
             return refuse("read_only", std::string{found_.entry->code} + " is read only");
         }
+        return true;
+    }
+
+    /// Leaves the words that a text stands for by the form of its place, or refuses.
+    bool read_formed(std::string_view text)
+    {
+        words_typed typed = words_for(found_.where, text);
+        if (not typed.wrong.empty()) {
+            return refuse("not_a_number", typed.wrong);
+        }
+        found_.words = std::move(typed.words);
+        count_ = typed.count;
+        bool const is_plain = count_ and found_.where.form.said.empty();
+        found_.text = is_plain ? std::to_string(*count_) : found_.text_of_words(found_.words);
+        return true;
+    }
+
+    /// The same of a drive's register: the count, as its table has it. A number below zero is none of a register without a
+    /// sign.
+    bool read_formed_count(std::string_view text)
+    {
+        if (not read_formed(text)) {
+            return false;
+        }
+        std::uint16_t const word = found_.words[0];
+        count_ = count_ ? *count_ : found_.entry != nullptr ? found_.entry->count_of(word) : word;
+        found_.where.form = {};
         return true;
     }
 
@@ -83,6 +121,9 @@ private:
     bool read_count(std::string_view text)
     {
         register_entry const* const entry = found_.entry;
+        if (not found_.where.form.said.empty()) {
+            return read_formed_count(text);
+        }
         bool const is_hex = text.starts_with("0x") or text.starts_with("0X");
         if (entry == nullptr or is_hex or text.starts_with('#')) {
             return read_raw(text, is_hex);
@@ -264,18 +305,22 @@ void value_check::check_count()
             return;
         }
     }
-    found_.word = static_cast<std::uint16_t>(*count_);
+    found_.words = {static_cast<std::uint16_t>(*count_)};
     if (found_.entry != nullptr) {
         found_.step = step_ ? *step_ : found_.entry->step;
     }
-    found_.text = found_.entry == nullptr ? std::to_string(*count_) : found_.text_of_word(found_.word);
+    found_.text = found_.entry == nullptr ? std::to_string(*count_) : found_.text_of_words(found_.words);
 }
 
 } // namespace
 
-std::string value_to_write::text_of_word(std::uint16_t held) const
+std::string value_to_write::text_of_words(std::span<std::uint16_t const> held) const
 {
-    return entry == nullptr ? std::to_string(held) : full_text(*entry, held, step);
+    if (entry != nullptr) {
+        return full_text(*entry, held[0], step);
+    }
+    bool const is_plain = where.form.said.empty() and not where.is_single_bit();
+    return is_plain ? std::to_string(held[0]) : value_of(where, held).text;
 }
 
 value_to_write check_value(std::string_view word, drive_catalog const* drive, known_words const& known)

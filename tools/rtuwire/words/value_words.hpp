@@ -12,11 +12,13 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "catalog/catalog.hpp"
+#include "words/place.hpp"
 #include "words/words.hpp"
 
 namespace tool {
@@ -26,9 +28,9 @@ using known_words = std::function<std::optional<std::uint16_t>(std::string_view 
 
 /// A value on its way to a register. It may be written where `is_ready()`.
 struct value_to_write {
-    std::uint16_t address{0};
+    place where{0};
     register_entry const* entry{nullptr}; ///< null where no table knows the address
-    std::uint16_t word{0};                ///< what stands on the wire
+    std::vector<std::uint16_t> words{};   ///< what stands on the wire; of a drive one; of a coil 0 or 1
     std::string text{};                   ///< the same for people: "1.3 s"
     step_size step{};                     ///< of one count
     /// Registers that set its limits or its step and have to be read first: read them, and check again.
@@ -36,13 +38,14 @@ struct value_to_write {
     std::optional<refusal> refused{};
 
     [[nodiscard]] bool is_ready() const noexcept { return not refused and needed.empty(); }
-    /// What another word of that register is for people.
-    [[nodiscard]] std::string text_of_word(std::uint16_t held) const;
+    /// What other words of that place are for people.
+    [[nodiscard]] std::string text_of_words(std::span<std::uint16_t const> held) const;
 };
 
 /// Checks a word "REG=VALUE". Whatever can be refused without a request is refused at the first call, which knows
 /// nothing; a second call has the words of the registers that the first one needed. Without a drive (null) there are
-/// only addresses and whole numbers.
+/// only places and their forms. Of a drive a place is one of its holding registers, whatever its form: the word that it
+/// means is checked as the same raw count at the address is.
 [[nodiscard]] value_to_write check_value(std::string_view word, drive_catalog const* drive,
                                          known_words const& known = {});
 

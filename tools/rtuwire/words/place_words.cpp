@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Values as they are typed for a place, as its registers.
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "words/amount_words.hpp"
+#include "words/place_value.hpp"
+
+namespace tool {
+
+namespace {
+
+using wide_number = exact_amount::wide;
+
+constexpr unsigned most_digits = 20;
+constexpr unsigned most_places = 9;
+
+/// The counts of an integer type.
+struct count_range {
+    wide_number lowest;
+    wide_number highest;
+};
+
+template <typename Integer> constexpr count_range range_of() noexcept
+{
+    return {(std::numeric_limits<Integer>::min)(), (std::numeric_limits<Integer>::max)()};
+}
+
+count_range range_of(value_type type) noexcept
+{
+    switch (type) {
+    case value_type::i16: return range_of<std::int16_t>();
+    case value_type::u32: return range_of<std::uint32_t>();
+    case value_type::i32: return range_of<std::int32_t>();
+    case value_type::u64: return range_of<std::uint64_t>();
+    case value_type::i64: return range_of<std::int64_t>();
+    case value_type::bcd16: return {0, 9'999};
+    case value_type::bcd32: return {0, 99'999'999};
+    case value_type::none: return {range_of<std::int16_t>().lowest, range_of<std::uint16_t>().highest};
+    case value_type::u16:
+    case value_type::bits:
+    case value_type::hex:
+    case value_type::f32:
+    case value_type::f64:
+    case value_type::text: break;
+    }
+    return range_of<std::uint16_t>();
+}
+
+/// A number as it is typed, and what stands behind it.
+struct typed_number {
+    wide_number digits{0};
+    unsigned places{0};
+    std::string_view number{}; ///< as a program reads it
+    std::string_view unit{};
+    bool is_long{false}; ///< more than `digits` holds
+    std::string wrong{};
+};
+
+typed_number number_typed(std::string_view text)
+{
+    typed_number typed;
+    bool const is_negative = text.starts_with('-');
+    std::size_t const begin = is_negative or text.starts_with('+') ? 1 : 0;
+    std::size_t end = begin;
+    unsigned count = 0;
+    bool has_point = false;
+    for (; end < text.size() and (is_digit(text[end]) or (text[end] == '.' and not has_point)); ++end) {
+        if (text[end] == '.') {
+            has_point = true;
+        } else if (++count <= most_digits) {
+            typed.digits = typed.digits * 10 + (text[end] - '0');
+            typed.places += has_point ? 1U : 0U;
+        }
+    }
+    typed.digits *= is_negative ? -1 : 1;
+    typed.number = text.substr(begin == 1 and not is_negative ? 1 : 0, end - (begin == 1 and not is_negative ? 1 : 0));
+    typed.unit = text.substr(end);
+    if (count > 0 and typed.unit.size() > 1 and typed.unit[0] == ',' and is_digit(typed.unit[1])) {
+        typed.wrong = decimal_comma_text;
+    } else if (count == 0) {
+        typed.wrong = "it takes a number: 25, 0x0019, #25 for a count without its scale";
+    }
+    typed.is_long = count > most_digits or typed.places > most_places;
+    typed.unit.remove_prefix(std::min(typed.unit.find_first_not_of(' '), typed.unit.size()));
+    return typed;
+}
+
+/// What is wrong with a unit behind a number; empty where nothing is.
+std::string why_not_unit(std::string_view typed, std::string const& unit)
+{
+    if (typed.empty() or typed == unit) {
+        return {};
+    }
+    return unit.empty() ? "no unit of it was said, so '" + std::string{typed} +
+                              "' is none: leave it out, or say the scale, "
+                              "as in 40:0.1V=230.1V"
+                        : "it is in " + unit + ", not in " + std::string{typed};
+}
+
+words_typed words_of_bits(value_form const& form, std::uint64_t bits)
+{
+    std::string const letters = form.letters();
+    words_typed typed{.words = std::vector<std::uint16_t>(letters.size() / 2)};
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        std::uint64_t const byte =
+            bits >> (8 * (letters.size() - 1 - static_cast<std::size_t>(letters[i] - 'a'))) & 0xFFU;
+        std::uint16_t& word = typed.words[i / 2];
+        word = static_cast<std::uint16_t>(word | byte << (i % 2 == 0 ? 8U : 0U));
+    }
+    return typed;
+}
+
+std::uint64_t packed(std::uint64_t number)
+{
+    std::uint64_t bits = 0;
+    for (unsigned i = 0; number > 0; ++i, number /= 10) {
+        bits |= (number % 10) << (4 * i);
+    }
+    return bits;
+}
+
+words_typed words_of_count(value_form const& form, wide_number count)
+{
+    auto const bits = static_cast<std::uint64_t>(count);
+    bool const is_packed = form.type == value_type::bcd16 or form.type == value_type::bcd32;
+    words_typed typed = words_of_bits(form, is_packed ? packed(bits) : bits);
+    bool const is_as_it_comes = not is_packed and (form.order.empty() or form.order == "abcd");
+    typed.count = is_as_it_comes ? std::optional{static_cast<std::int64_t>(count)} : std::nullopt;
+    return typed;
+}
+
+std::string text_of_count(place where, wide_number count)
+{
+    bool const is_plain = where.form.type == value_type::none;
+    where.form.type = not is_plain ? where.form.type : count < 0 ? value_type::i16 : value_type::u16;
+    return value_of(where, words_of_count(where.form, count).words).text;
+}
+
+words_typed refuse_count(place const& where)
+{
+    count_range const range = range_of(where.form.type);
+    return {.wrong = "it takes " + text_of_count(where, range.lowest) + " to " + text_of_count(where, range.highest)};
+}
+
+words_typed words_of_raw(place const& where, std::string_view text)
+{
+    std::int64_t negative = 0;
+    std::uint64_t positive = 0;
+    bool const is_negative = text.starts_with('-');
+    auto const [end, why] = is_negative ? std::from_chars(text.data(), text.data() + text.size(), negative)
+                                        : std::from_chars(text.data(), text.data() + text.size(), positive);
+    if (why != std::errc{} or end != text.data() + text.size()) {
+        return {.wrong = "behind # stands a whole number, the count in the registers"};
+    }
+    wide_number const count = is_negative ? wide_number{negative} : wide_number{positive};
+    count_range const range = range_of(where.form.type);
+    return count < range.lowest or count > range.highest ? refuse_count(where) : words_of_count(where.form, count);
+}
+
+/// Of the bytes in the order of a number: where they come in another one, those of a response may be meant.
+words_typed words_of_hex(place const& where, std::string_view digits)
+{
+    value_form const& form = where.form;
+    bool const is_swapped = not form.order.empty() and form.order != "abcd" and form.type != value_type::hex and
+                            form.type != value_type::bits;
+    if (is_swapped) {
+        return {.wrong = "its bytes come as " + form.order + ", so 0x may mean two numbers: say it in decimal"};
+    }
+    std::size_t const most = std::size_t{4} * where.form.registers();
+    std::uint64_t bits = 0;
+    auto const [end, why] = std::from_chars(digits.data(), digits.data() + digits.size(), bits, 16);
+    if (digits.empty() or digits.size() > most or why != std::errc{} or end != digits.data() + digits.size()) {
+        return {.wrong = "behind 0x stand at most " + std::to_string(most) + " hexadecimal digits"};
+    }
+    words_typed typed = words_of_bits(where.form, bits);
+    bool const is_number = not std::holds_alternative<std::monostate>(value_of(where, typed.words).value);
+    return is_number ? typed : words_typed{.wrong = "these registers are no number of its type"};
+}
+
+wide_number power(unsigned exponent)
+{
+    wide_number result = 1;
+    for (; exponent > 0; --exponent) {
+        result *= 10;
+    }
+    return result;
+}
+
+words_typed words_of_amount(place const& where, typed_number const& typed)
+{
+    value_form const& form = where.form;
+    if (typed.is_long) {
+        return {.wrong = "more than 20 digits, or more than 9 behind the point"};
+    }
+    wide_number const above = (typed.digits * power(form.offset.places) - form.offset.digits * power(typed.places)) *
+                              power(form.factor.places);
+    wide_number const below = power(typed.places + form.offset.places) * form.factor.digits;
+    wide_number const count = above / below - (above % below < 0 ? 1 : 0);
+    bool const is_between = above % below != 0;
+    count_range const range = range_of(form.type);
+    if (count < range.lowest or count + (is_between ? 1 : 0) > range.highest) {
+        return refuse_count(where);
+    }
+    if (is_between) {
+        return {{},
+                "no whole number of its steps: say " + text_of_count(where, count) + " or " +
+                    text_of_count(where, count + 1)};
+    }
+    return words_of_count(form, count);
+}
+
+template <typename Number> words_typed words_of_float(place const& where, std::string_view number)
+{
+    auto const decimal = [](short_decimal const& one) {
+        return static_cast<double>(one.digits) / static_cast<double>(power(one.places));
+    };
+    value_form const& form = where.form;
+    double amount = 0;
+    std::from_chars(number.data(), number.data() + number.size(), amount, std::chars_format::fixed);
+    double const scaled = (amount - decimal(form.offset)) / decimal(form.factor);
+    if (not(std::abs(scaled) <= static_cast<double>((std::numeric_limits<Number>::max)()))) {
+        return {.wrong = "more than its type holds"};
+    }
+    auto const held = static_cast<Number>(scaled);
+    if constexpr (sizeof(Number) == 4) {
+        return words_of_bits(form, std::bit_cast<std::uint32_t>(held));
+    } else {
+        return words_of_bits(form, std::bit_cast<std::uint64_t>(held));
+    }
+}
+
+words_typed words_of_text(value_form const& form, std::string_view text)
+{
+    bool const has_control = std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20U; });
+    if (has_control or text.size() > form.characters) {
+        return {{},
+                "it takes a text of at most " + std::to_string(form.characters) + " bytes, without control characters"};
+    }
+    std::string padded{text};
+    padded.resize(std::size_t{2} * form.registers());
+    words_typed typed;
+    for (std::size_t i = 0; i < padded.size(); i += 2) {
+        std::size_t const first = form.order == "badc" ? i + 1 : i;
+        std::size_t const second = form.order == "badc" ? i : i + 1;
+        typed.words.push_back(static_cast<std::uint16_t>(static_cast<unsigned char>(padded[first]) << 8U |
+                                                         static_cast<unsigned char>(padded[second])));
+    }
+    return typed;
+}
+
+words_typed words_of_coil(std::string_view text)
+{
+    bool const is_on = is_same_word(text, "on") or text == "1";
+    if (not is_on and not is_same_word(text, "off") and text != "0") {
+        return {.wrong = "a coil is on or off"};
+    }
+    return {.words = {is_on ? std::uint16_t{1} : std::uint16_t{0}}};
+}
+
+} // namespace
+
+words_typed words_for(place const& where, std::string_view text)
+{
+    if (where.is_single_bit()) {
+        return words_of_coil(text);
+    }
+    value_type const type = where.form.type;
+    if (type == value_type::text) {
+        return words_of_text(where.form, text);
+    }
+    bool const is_float = type == value_type::f32 or type == value_type::f64;
+    if (text.starts_with("0x") or text.starts_with("0X")) {
+        return words_of_hex(where, text.substr(2));
+    }
+    if (text.starts_with('#')) {
+        return is_float
+                   ? words_typed{.wrong = "a number with a point has no count: say the number, or 0x and its registers"}
+                   : words_of_raw(where, text.substr(1));
+    }
+    typed_number typed = number_typed(text);
+    typed.wrong = typed.wrong.empty() ? why_not_unit(typed.unit, where.form.unit) : typed.wrong;
+    if (not typed.wrong.empty()) {
+        return {.wrong = typed.wrong};
+    }
+    if (not is_float) {
+        return words_of_amount(where, typed);
+    }
+    return type == value_type::f32 ? words_of_float<float>(where, typed.number)
+                                   : words_of_float<double>(where, typed.number);
+}
+
+} // namespace tool
