@@ -193,8 +193,9 @@ def check_writes(tool, check):
     found = tool.run(*QUIET, "-u", MODULE, "--json", "read", "coil:5-6", "8-11").objects()
     check(ended.status == DONE and [each["raw"] for each in found] == [1, 0, 0x1234, 2301, 0x6162, 0x6300],
           "coils, a scale, a text", (ended, found))
-    ended = tool.run(*QUIET, "-u", BRANDED, "-d", "none", "--write", "--allow-run", "write", "holding:8501=6")
-    check(ended.status == REFUSED and "may be a drive" in ended.errors, "a drive under another name is none to write", ended)
+    for beside, says in (([], "may be a drive"), (["--allow-run"], "which this unit may be")):
+        ended = tool.run(*QUIET, "-u", BRANDED, "-d", "none", "--write", *beside, "write", "holding:8501=6")
+        check(ended.status == REFUSED and says in ended.errors, f"a drive under another name is none to write {beside}", ended)
     log = (tool.place / "state" / "rtuwire" / "writes.log").read_text()
     check("\tcoil:5\t" in log and "\t9:0.1V\t" in log and "230.1 V" in log, "and is noted", log)
     ended = tool.run(*QUIET, "-u", SIXTEEN, "-d", "none", "--write", "--json", "write", "3=77", "coil:4=on")
@@ -205,7 +206,8 @@ def check_writes(tool, check):
     ended = tool.run(*how, "40001=5")
     check(ended.status == DIFFERS and "list:40001 is holding:0" in ended.output, "a number of a list is hinted at", ended)
     for word, says in (("input:3=5", "read only"), ("2.3=1", "as a whole"), ("2:u16=70000", "0 to 65535"),
-                       ("2:0.1V=1.25", "1.2 V or 1.3 V"), ("2-3:u16=1", "one register")):
+                       ("2:0.1V=1.25", "1.2 V or 1.3 V"), ("2-3:u16=1", "one register"), ("2=-1", "2:i16"),
+                       ("2:f32=16777217", "the nearest is 16777216"), ("2:text247=a", "at most 123 registers")):
         ended = tool.run(*how, "coil:7=on", word)
         held = tool.run(*QUIET, "-u", MODULE, "--json", "read", "coil:7").objects()[0]["value"]
         check(ended.status == USAGE and word in ended.errors and says in ended.errors and not held,
@@ -213,7 +215,7 @@ def check_writes(tool, check):
 
 
 MOVES = [["8501=6"], ["holding:8501=6"], ["h:0x2135=0x0006"], ["list:48502=6"], ["8501:u16=6"], ["8501:i16:1=6"],
-         ["8501:badc=1536"], ["8501:hex=6"], ["8501:bits=0x6"], ["8501:bcd16=6"], ["8501:2=12"], ["8501:text2=ab"],
+         ["8501:badc=1536"], ["8501.3=1"], ["8500:u32=6"], ["8499:u64=6"], ["8500:text8=ab"], ["8501:hex=6"], ["8501:bits=0x6"], ["8501:bcd16=6"], ["8501:2=12"], ["8501:text2=ab"],
          ["8602:i16=100"], ["list:48603=100rpm"], ["holding:12761:u16=6"]]
 
 
@@ -229,7 +231,7 @@ def check_drive(tool, check):
             check(ended.status == REFUSED and "commands the motor" in ended.errors, f"{words} {beside} is refused, too", ended)
         ended = tool.run(*how, "-d", "none", "--write", "write", *words)
         check(ended.status == REFUSED and "is an atv320" in ended.errors, f"{words} to what is said to be no drive", ended)
-    for word in ("8500:u32=6", "8501-8502:u16=6", "8501.3=1", "8499:u64=6", "8500:text8=ab", "input:8501=6", "coil:8501=on"):
+    for word in ("8501-8502:u16=6", "input:8501=6", "coil:8501=on", "9000:u32=6"):
         for beside in ([], ["-d", "none"]):
             ended = tool.run(*how, *beside, "--write", "--allow-run", "write", word)
             check(ended.status == USAGE and word in ended.errors, f"{word} {beside} is refused", ended)
@@ -238,8 +240,14 @@ def check_drive(tool, check):
         check(ended.status == REFUSED and "--allow-run" in ended.errors, f"{words} needs --allow-run", ended)
     ended = tool.run("-u", 4, "-d", "none", "--write", "write", "400:u16=6")
     check(ended.status == REFUSED and "is an atv28" in ended.errors, "a drive is known by its registers as well", ended)
-    ended = tool.run(*how, "--write", "--json", "write", "9001:0.1s=1.3s")
+    ended = tool.run(*how, "--write", "--json", "write", "holding:9001=1.3s")
     check(ended.status == DONE and ended.objects()[0]["register"] == "ACC", "what is harmless is written", ended)
+    ended = tool.run(*how, "--write", "write", "9001:0.1s=1.3s")
+    check(ended.status == USAGE and "leave out ':0.1s'" in ended.errors, "the drive's own scale counts", ended)
+    with Simulator(tool.program, "atv320:7") as device:
+        words = ("INR=#0", "ACC=#13", "9002:u16=14")
+        ended = tool.run("--no-listen", *how, "--write", "--json", "write", *words, port=device)
+        check([row["after"] for row in ended.objects()][1:] == ["0.13 s", "0.14 s"], "a count is shown in the drive's steps", ended)
     ended = tool.run(*how, "-d", "none", "stop")
     check(ended.status == DONE, "stop stops what is said to be no drive", ended)
 
@@ -275,7 +283,7 @@ def main(check, program):
 if len(sys.argv) > 1 and sys.argv[1] == "--serve":
     asyncio.run(serve(*sys.argv[2:]))
 else:
-    from support import DIFFERS, DONE, REFUSED, USAGE, Tool, runs
+    from support import DIFFERS, DONE, REFUSED, USAGE, Simulator, Tool, runs
 
     from pair import Programs  # noqa: I100
 

@@ -103,7 +103,7 @@ class Tool:
         process.kill() if process.poll() is None and time.monotonic() >= end else None
         status = process.wait()
         os.close(near)
-        return Ended(status, text.decode(), "")
+        return Ended(status, text.decode(errors="backslashreplace"), "")
 
     def interrupt(self):
         """As a key: Ctrl-C."""

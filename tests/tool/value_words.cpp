@@ -184,7 +184,8 @@ TEST_CASE("limits and steps that other registers set are asked for, then kept")
 TEST_CASE("where no table knows a register, its value is a whole number")
 {
     CHECK(outcome("", "100=7") == "7 = 7");
-    CHECK(outcome("", "100=-1") == "65535 = -1");
+    CHECK(outcome("", "100=-1") == "not_a_number");
+    CHECK(outcome("", "100:i16=-1") == "65535 = -1");
     CHECK(outcome("", "0x64=0xFFFF") == "65535 = 65535");
     CHECK(outcome("", "100=1.5") == "not_a_number");
     CHECK(outcome("", "100=5Hz") == "not_a_number");
@@ -223,7 +224,7 @@ TEST_CASE("each word of each register that may be written is written back from i
 TEST_CASE("a drive's register is the same by whatever place it is named")
 {
     for (std::string_view const place :
-         {"holding:9001", "h:0x2329", "list:49002", "9001:u16", "9001:hex", "9001:i16"}) {
+         {"holding:9001", "h:0x2329", "list:49002", "9001:u16", "9001:hex", "9001:bits", "9001:abcd"}) {
         std::string const word{place};
         INFO(word);
         CHECK(outcome("atv320", word + "=0x000D", {{"INR", 1}}) == "13 = 1.3 s");
@@ -232,11 +233,17 @@ TEST_CASE("a drive's register is the same by whatever place it is named")
     CHECK(outcome("atv320", "9001:u16=13") == outcome("atv320", "9001=#13"));
     CHECK(outcome("atv320", "holding:9001=13") == "unit_missing");
     CHECK(outcome("atv320", "holding:9001=1.3s", {{"INR", 1}}) == outcome("atv320", "ACC=1.3s", {{"INR", 1}}));
-    CHECK(outcome("atv320", "9001:i16=-1") == outcome("atv320", "9001=#-1"));
-    CHECK(outcome("atv320", "9001:i16=-1") == "value_too_low");
-    CHECK(outcome("atv320", "8602:u16=65535") == "value_too_high");
     CHECK(outcome("atv320", "8602:i16=-1") == outcome("atv320", "8602=#-1"));
     CHECK(outcome("atv320", "holding:3202=1") == "read_only");
+    // Whatever contradicts the drive's table is no other view of the same.
+    for (std::string_view const form : {"9001:0.1s", "9001:1s", "9001:0.01", "9001:1+5", "9001:i16", "9001:badc",
+                                        "9001:bcd16", "9001:text2", "8602:u16", "8602:1rpm"}) {
+        std::string const word{form};
+        CHECK(outcome("atv320", word + "=1", {{"INR", 0}}) == "wrong_form");
+    }
+    CHECK(holds(sentence("atv320", "9001:0.1s=1.3s"), "this is ACC"));
+    CHECK(holds(sentence("atv320", "9001:0.1s=1.3s"), "in s, and its drive says its scale: leave out ':0.1s'"));
+    CHECK(outcome("atv320", "64000:0.1V=1.3V") == "13 = 1.3 V");
     CHECK(outcome("atv320", "8500:u32=6") == "not_of_a_drive");
     CHECK(outcome("atv320", "coil:8501=on") == "not_of_a_drive");
     CHECK(outcome("atv320", "input:8501=6") == "read_only");
@@ -246,4 +253,16 @@ TEST_CASE("a drive's register is the same by whatever place it is named")
     CHECK(outcome("", "40.3=1") == "single_bit");
     CHECK(outcome("", "coil:40=on") == "1 = 1");
     CHECK(outcome("", "40:0.1V=230.1V") == "2301 = 230.1 V");
+    CHECK(outcome("", "40:text246=a").ends_with(" = a"));
+    CHECK(outcome("", "40:text247=a") == "too_long");
+    CHECK(outcome("", "40:text250=a") == "too_long");
+}
+
+TEST_CASE("a raw count is shown in the steps that the drive has")
+{
+    CHECK(outcome("atv320", "ACC=#13", {{"INR", 0}}) == "13 = 0.13 s");
+    CHECK(outcome("atv320", "9001:u16=13", {{"INR", 1}}) == "13 = 1.3 s");
+    CHECK(outcome("atv320", "ACC=0x000D", {{"INR", 2}}) == "13 = 13 s");
+    CHECK(outcome("atv320", "ACC=#13") == "13 = 13 steps");
+    CHECK(tool::check_value("ACC=#13", tool::catalog_named("atv320")).needed.size() == 1);
 }

@@ -19,6 +19,7 @@
 #include "motion/moving_registers.hpp"
 #include "motion/question.hpp"
 #include "motion/unsafe_write.hpp"
+#include "output/plain_text.hpp"
 #include "words/value_words.hpp"
 
 namespace tool {
@@ -46,7 +47,8 @@ public:
     {
         refuse_wrong_log();
         open_line line{chosen_.line};
-        drive_ = catalog_to_write(line, unit_, chosen_.allowed);
+        rules_ = rules_to_write(line, unit_, chosen_.allowed);
+        refuse_menu_number();
         std::vector<value_to_write> const values = checked(line);
         if (std::optional<ended> const why = why_not(values, line)) {
             throw ended{*why};
@@ -74,11 +76,25 @@ public:
     }
 
 private:
+    /// Of a unit that was said to be no drive, a number is an address; where it is or may be one, it may mean another register.
+    void refuse_menu_number() const
+    {
+        bool const has_two_meanings = unit_.drive == no_drive and (rules_.drive != nullptr or rules_.command);
+        for (std::string const& word : chosen_.words) {
+            std::string_view const name = std::string_view{word}.substr(0, word.find('='));
+            std::string_view const number = first_menu_number({&name, 1});
+            bool const is_of_menu = rules_.drive == nullptr or rules_.drive->by_menu(number) != nullptr;
+            if (has_two_meanings and not number.empty() and is_of_menu) {
+                refuse_word(ambiguity_of(number));
+            }
+        }
+    }
+
     /// All values, with the registers that limit them read first. Each is checked with what the ones before it will
     /// have written.
     std::vector<value_to_write> checked(open_line& line)
     {
-        register_reader limits{registers_that_limit(), drive_};
+        register_reader limits{registers_that_limit(), rules_.drive};
         limits.read(line, unit_.unit);
         std::vector<value_to_write> values;
         known_words const known = [&](std::string_view code) -> std::optional<std::uint16_t> {
@@ -88,7 +104,7 @@ private:
             return written != values.rend() ? std::optional{written->words[0]} : limits.known()(code);
         };
         for (std::string const& word : chosen_.words) {
-            value_to_write value = check_value(word, drive_, known);
+            value_to_write value = check_value(word, rules_.drive, known);
             refuse_if_wrong(value);
             if (not value.is_ready()) {
                 throw ended{status_of(limits.first_error()),
@@ -105,7 +121,7 @@ private:
     {
         std::vector<chosen_register> needed;
         for (std::string const& word : chosen_.words) {
-            value_to_write const value = check_value(word, drive_);
+            value_to_write const value = check_value(word, rules_.drive);
             refuse_if_wrong(value);
             for (register_entry const* const each : value.needed) {
                 needed.push_back({{each->address}, each});
@@ -116,17 +132,19 @@ private:
 
     void refuse_if_wrong(value_to_write const& value) const
     {
+        refuse_command(value, rules_, chosen_);
         if (value.refused) {
             refuse(*value.refused);
         }
-        if (drive_ != nullptr) {
-            refuse_unsafe_write(value, *drive_, chosen_);
+        if (rules_.drive != nullptr) {
+            refuse_unsafe_write(value, *rules_.drive, chosen_);
         }
     }
 
     std::optional<ended> why_not(std::vector<value_to_write> const& values, open_line& line) const
     {
-        return drive_ == nullptr ? std::nullopt : why_not_now(values, line, unit_.unit, *drive_, chosen_.allowed);
+        return rules_.drive == nullptr ? std::nullopt
+                                       : why_not_now(values, line, unit_.unit, *rules_.drive, chosen_.allowed);
     }
 
     std::vector<held_text> read(open_line& line, std::vector<value_to_write> const& values)
@@ -135,11 +153,11 @@ private:
         for (value_to_write const& each : values) {
             all.push_back({each.where, each.entry});
         }
-        register_reader reader{all, drive_};
+        register_reader reader{all, rules_.drive};
         reader.read(line, unit_.unit);
         std::vector<held_text> before;
         for (chosen_register const& each : all) {
-            reading const it = reading_of(each, reader, drive_);
+            reading const it = reading_of(each, reader, rules_.drive);
             before.push_back(it.is_read ? held_text{it.text} : std::nullopt);
         }
         return before;
@@ -148,9 +166,9 @@ private:
     bool is_confirmed(std::vector<value_to_write> const& values, std::vector<held_text> const& before) const
     {
         for (std::size_t i = 0; i < values.size(); ++i) {
-            std::fprintf(stderr, "unit %u: %s: %s -> %s\n", unsigned{unit_.unit.byte()},
-                         label_of({values[i].where, values[i].entry}).c_str(), shown(before[i]).c_str(),
-                         values[i].text.c_str());
+            std::string const line =
+                label_of({values[i].where, values[i].entry}) + ": " + shown(before[i]) + " -> " + values[i].text;
+            std::fprintf(stderr, "unit %u: %s\n", unsigned{unit_.unit.byte()}, plain_text(line).c_str());
         }
         return is_answered_yes("write?");
     }
@@ -182,7 +200,8 @@ private:
         std::string const failure = line.words_of_failure(outcome) + hint_at_list({value.where, value.entry}, outcome);
         bool const is_taken = outcome == errc::none;
         // An order is no value that stays, and a drive that saves is silent meanwhile.
-        bool const is_order = drive_ != nullptr and value.entry != nullptr and takes_orders(*value.entry, *drive_);
+        bool const is_order =
+            rules_.drive != nullptr and value.entry != nullptr and takes_orders(*value.entry, *rules_.drive);
         held_words const held =
             is_order ? held_words{outcome, value.words, failure} : read_place(line, unit_.unit, value.where);
         bool const is_read = held.why == errc::none;
@@ -218,7 +237,7 @@ private:
         errc const why = is_coil
                              ? line.ask(unit_.unit, rtuwire::write_single_coil{address, value.words[0] != 0}).error()
                              : line.ask(unit_.unit, rtuwire::write_single_register{address, value.words[0]}).error();
-        if (why != errc::illegal_function or drive_ != nullptr) {
+        if (why != errc::illegal_function or rules_.drive != nullptr) {
             return why;
         }
         note = is_coil ? "the unit has no function 05: written by 15" : "the unit has no function 06: written by 16";
@@ -282,7 +301,7 @@ private:
         std::string const why =
             log_write({chosen_.line.port, unit, label_of({value.where, value.entry}), shown(before), shown(after)});
         std::string note = why.empty() ? std::string{} : "not noted: " + why;
-        if (drive_ != nullptr and value.where.address == drive_->layout.cmi) {
+        if (rules_.drive != nullptr and value.where.address == rules_.drive->layout.cmi) {
             append(note, why.empty() ? "saved to EEPROM " + std::to_string(count_saves(chosen_.line.port, unit)) +
                                            " times by this user"
                                      : "how often this user has saved to EEPROM is not known");
@@ -293,7 +312,7 @@ private:
 
     choices const& chosen_;
     named_unit unit_;
-    drive_catalog const* drive_{nullptr};
+    write_rules rules_{};
     output results_;
 };
 

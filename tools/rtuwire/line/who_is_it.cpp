@@ -27,8 +27,31 @@ std::string_view family_of(std::string_view product)
     return product.substr(0, static_cast<std::size_t>(end - product.begin()));
 }
 
-/// Also those of which this program has no table.
-bool is_altivar(std::string_view product) { return is_same_word(product.substr(0, 3), "ATV"); }
+/// Whether a name has one of the families of drives and starters in it, also of those of which this program has no table:
+/// "ATV71HU22", "Altivar 71".
+bool names_a_drive(std::string const& name)
+{
+    constexpr std::string_view families[]{"altivar", "altistart", "lexium"};
+    constexpr std::string_view codes[]{"atv", "ats", "lxm"};
+    std::string const text = lower(name);
+    for (std::string_view const each : codes) {
+        for (std::size_t at = text.find(each); at != text.npos; at = text.find(each, at + 1)) {
+            std::size_t const next = text.find_first_not_of(" -_", at + each.size());
+            bool const begins_a_word = at == 0 or std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0;
+            bool const is_alone = next == text.npos and each == codes[0];
+            if (begins_a_word and (is_alone or (next != text.npos and is_digit(text[next])))) {
+                return true;
+            }
+        }
+    }
+    return std::ranges::any_of(families, [&text](auto each) { return text.find(each) != text.npos; });
+}
+
+/// Whether it says of itself that it is one.
+bool calls_itself_drive(identity_words const& who)
+{
+    return names_a_drive(who.product) or names_a_drive(who.vendor) or names_a_drive(who.revision);
+}
 
 std::string text_of_bytes(rtuwire::byte_view bytes)
 {
@@ -149,25 +172,29 @@ public:
     /// Whether anything but silence was heard.
     bool is_there() const { return is_there_; }
 
-private:
-    /// Whether reading it ends so. Nobody asks a silent unit twice.
-    bool has(std::optional<std::uint16_t> address, errc expected)
+    /// Whether the unit has a register: `none` where it has, an exception that says so where it has not, and otherwise what
+    /// leaves that open. Nobody asks a silent unit twice.
+    errc outcome_at(std::uint16_t address)
     {
-        if (not address) {
-            return true;
-        }
-        auto const known = outcomes_.find(*address);
+        auto const known = outcomes_.find(address);
         if (known != outcomes_.end()) {
-            return known->second == expected;
+            return known->second;
         }
         if (is_silent_) {
-            return false;
+            return errc::timed_out;
         }
-        errc const outcome = read_one(line_, unit_, *address);
+        errc const outcome = read_one(line_, unit_, address);
         is_there_ = is_there_ or outcome == errc::none or rtuwire::is_exception(outcome);
         is_silent_ = not is_there_;
-        outcomes_.emplace(*address, outcome);
-        return outcome == expected;
+        outcomes_.emplace(address, outcome);
+        return outcome;
+    }
+
+private:
+    /// Whether reading it ends so.
+    bool has(std::optional<std::uint16_t> address, errc expected)
+    {
+        return not address or outcome_at(*address) == expected;
     }
 
     open_line& line_;
@@ -176,6 +203,49 @@ private:
     bool is_there_{false};
     bool is_silent_{false};
 };
+
+/// What tells a drive of whatever name: a status word and a command word.
+struct drive_marks {
+    std::uint16_t address{0}; ///< of the status word; where that is not known, of what was asked
+    std::uint16_t command{0};
+    bool has_all{false};
+    errc open{errc::none}; ///< why it is not known; none where it is
+};
+
+/// Whether an outcome tells if a register is there. A unit that is busy, has failed or is not reached by its gateway may
+/// have it all the same.
+bool is_telling(errc outcome)
+{
+    return outcome == errc::none or outcome == errc::illegal_function or outcome == errc::illegal_data_address or
+           outcome == errc::illegal_data_value;
+}
+
+/// Those of the drives of this program, and those of others that number them as CiA 402 does.
+drive_marks marks_of_drive(open_line& line, rtuwire::unit_id unit)
+{
+    constexpr std::uint16_t status_object = 0x6041, control_object = 0x6040;
+    fingerprint known{line, unit};
+    std::vector<drive_marks> all{{status_object, control_object}};
+    for (drive_catalog const* const each : all_catalogs()) {
+        all.insert(all.begin(), {each->layout.eta, each->layout.cmd});
+    }
+    for (drive_marks each : all) {
+        for (std::uint16_t const address : {each.address, each.command}) {
+            errc const outcome = known.outcome_at(address);
+            if (not is_telling(outcome)) {
+                return {.address = address, .open = outcome};
+            }
+            each.has_all = outcome == errc::none;
+            if (not each.has_all) {
+                break;
+            }
+        }
+        if (each.has_all) {
+            return each;
+        }
+    }
+    return {};
+}
 
 candidates all_drives() { return {all_catalogs().begin(), all_catalogs().end()}; }
 
@@ -230,7 +300,7 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
         who.is_another = left.empty();
         tell_apart(line, unit, left);
         who.drive = left.size() == 1 ? std::string{left.front()->name} : std::string{};
-        who.may_be_drive = not left.empty() or is_altivar(who.product);
+        who.may_be_drive = not left.empty() or calls_itself_drive(who);
     }
     return who;
 }
@@ -282,10 +352,10 @@ drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::str
                 number + " is a '" + who.vendor + " " + who.product + "', no drive of this program" + say_drive};
 }
 
-drive_catalog const* catalog_to_write(open_line& line, named_unit const& unit, permissions const& allowed)
+write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed)
 {
     if (unit.drive != no_drive) {
-        return &catalog_of(line, unit.unit, unit.drive);
+        return {&catalog_of(line, unit.unit, unit.drive)};
     }
     identity_words const who = who_is_it(line, unit.unit);
     std::string const number = "unit " + std::to_string(unit.unit.byte());
@@ -295,20 +365,27 @@ drive_catalog const* catalog_to_write(open_line& line, named_unit const& unit, p
                 number + " is an " + who.drive +
                 ", and --drive none says that it is no drive: leave that out, or say --allow-run besides");
         }
-        return catalog_named(who.drive);
+        return {catalog_named(who.drive)};
     }
-    if (not who.is_another and not who.has_answered and not who.may_be_drive) {
-        throw ended{who.outcome == exit_status::done ? exit_status::differs : who.outcome,
-                    number + ": " + who.note + "; whether it is a drive is not known, so nothing is written"};
+    if (calls_itself_drive(who)) {
+        refuse_for_safety(number + " calls itself '" + who.vendor + ' ' + who.product +
+                          "', a drive; --drive none is for what is none");
     }
-    // Whatever it calls itself: a drive is sold under other names, too.
-    bool const may_be_drive = who.may_be_drive or not fingerprint{line, unit.unit}.among(all_drives()).empty();
-    if (may_be_drive) {
-        refuse_for_safety(
-            number + (who.product.empty() ? "" : ", a '" + who.product + "',") +
-            " may be a drive: it has the registers of one, or its name; --drive none is for what is none");
+    drive_marks const marks = marks_of_drive(line, unit.unit);
+    if (marks.open != errc::none) {
+        exit_status const status = status_of(marks.open);
+        throw ended{status == exit_status::differs ? exit_status::refused : status,
+                    number + ": whether it is a drive is not known, so nothing is written: reading register " +
+                        std::to_string(marks.address) + ", where a drive has its status or its command, ends with " +
+                        line.words_of_failure(marks.open)};
     }
-    return nullptr;
+    if (marks.has_all and not allowed.may_run) {
+        refuse_for_safety(number + (who.product.empty() ? "" : ", a '" + who.product + "',") +
+                          " may be a drive: it has the status word and the command word of one, " +
+                          std::to_string(marks.address) + " and " + std::to_string(marks.command) +
+                          "; --drive none is for what is none; if it is none, say --allow-run besides");
+    }
+    return {nullptr, marks.has_all ? std::optional{marks.command} : std::nullopt};
 }
 
 } // namespace tool

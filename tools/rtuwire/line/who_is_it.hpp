@@ -3,6 +3,8 @@
 // Which device a unit is: what it says of itself (43/14), and which drive's table fits it.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -42,9 +44,16 @@ inline constexpr std::string_view no_drive = "none";
 /// The catalog of that name, null of `no_drive`; refuses others with the nearest.
 drive_catalog const* catalog_or_none(std::string const& name);
 
-/// The table by whose rules a unit is written; null of one that is no drive and was said to be none. A drive that is said
-/// to be none is refused; with --allow-run its own table counts all the same.
-drive_catalog const* catalog_to_write(open_line& line, named_unit const& unit, permissions const& allowed);
+/// By whose rules a unit is written.
+struct write_rules {
+    drive_catalog const* drive{nullptr};    ///< null of one that was said to be no drive
+    std::optional<std::uint16_t> command{}; ///< of one that may be a drive all the same: where it has its command word
+};
+
+/// Of the unit's own table, or of one that was said to be no drive and is known to be none. A drive that is said to be none
+/// is refused; with --allow-run its own table counts all the same. One that has the registers of a drive needs --allow-run,
+/// too. One that calls itself a drive, or does not tell whether it has these registers, is refused whatever is said.
+write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed);
 
 /// The catalog of that name; refuses others with the nearest.
 drive_catalog const& catalog_chosen(std::string const& name);

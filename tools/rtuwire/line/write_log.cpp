@@ -71,8 +71,8 @@ std::string write_log_file()
 
 std::string log_write(written_value const& what)
 {
-    return add_to_log(time_now() + '\t' + user_name() + place_of(what.port, what.unit) + what.label + '\t' +
-                      what.before + '\t' + what.after + '\n');
+    return add_to_log(time_now() + '\t' + user_name() + place_of(what.port, what.unit) + plain_text(what.label) + '\t' +
+                      plain_text(what.before) + '\t' + plain_text(what.after) + '\n');
 }
 
 void refuse_wrong_log()

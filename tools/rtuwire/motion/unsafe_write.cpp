@@ -87,21 +87,40 @@ std::optional<ended> why_not_now(std::vector<value_to_write> const& values, open
                                   "; to write it to a drive with power, say --allow-run besides"};
 }
 
+void refuse_command(value_to_write const& value, write_rules const& rules, choices const& chosen)
+{
+    unsigned const first = value.where.address;
+    unsigned const count = value.where.space == register_space::holding ? value.where.form.registers() : 0U;
+    for (unsigned each = first; each < first + count; ++each) {
+        auto const address = static_cast<std::uint16_t>(each);
+        drive_catalog const* const drive = rules.drive;
+        if (drive != nullptr and commands_a_motor(address, *drive)) {
+            register_entry const* const entry = drive->at(address);
+            refuse_for_safety((entry != nullptr ? std::string{entry->code} : std::to_string(address)) +
+                              " commands the motor: that is what the command start is for; `" +
+                              shown_command(chosen.line, "stop") + "` stops it");
+        }
+        if (rules.command == address) {
+            refuse_for_safety("register " + std::to_string(address) +
+                              " commands the motor of a drive, which this unit may be");
+        }
+        bool const may_be_of_another = drive != nullptr ? drive->at(address) == nullptr : rules.command.has_value();
+        drive_catalog const* const other = may_be_of_another ? commanded_there(address) : nullptr;
+        if (other != nullptr) {
+            refuse_for_safety("register " + std::to_string(address) +
+                              (drive != nullptr ? " is none of an " + std::string{drive->name} + ", and" : "") +
+                              " commands the motor of an " + std::string{other->name} +
+                              ", which this unit may be: `identify` asks it");
+        }
+    }
+}
+
 void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, choices const& chosen)
 {
     permissions const& allowed = chosen.allowed;
     std::string const label =
         value.entry != nullptr ? std::string{value.entry->code} : std::to_string(value.where.address);
-    if (commands_a_motor(value.where.address, drive)) {
-        refuse_for_safety(label + " commands the motor: that is what the command start is for; `" +
-                          shown_command(chosen.line, "stop") + "` stops it");
-    }
     if (value.entry == nullptr) {
-        if (drive_catalog const* const other = commanded_there(value.where.address)) {
-            refuse_for_safety("register " + label + " is none of an " + std::string{drive.name} +
-                              ", and commands the motor of an " + std::string{other->name} +
-                              ", which this unit may be: `identify` asks it");
-        }
         refuse_without_run(allowed, "register " + label + " is none of the parameters of an " +
                                         std::string{drive.name} + " that are known: nobody knows what it does");
         return;

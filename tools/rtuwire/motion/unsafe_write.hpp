@@ -10,9 +10,14 @@
 #include "choices.hpp"
 #include "exit_status.hpp"
 #include "line/open_line.hpp"
+#include "line/who_is_it.hpp"
 #include "words/value_words.hpp"
 
 namespace tool {
+
+/// Ends the command where a value goes to what commands a motor, whatever its form and its text: of the drive, and of any
+/// where the unit may be one.
+void refuse_command(value_to_write const& value, write_rules const& rules, choices const& chosen);
 
 /// Ends the command where a value is never written, or needs --allow-run that was not said. A value that is not known
 /// yet, because another register sets its step, is looked at once it is.

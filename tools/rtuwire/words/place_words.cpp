@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "output/plain_text.hpp"
 #include "words/amount_words.hpp"
 #include "words/place_value.hpp"
 
@@ -42,7 +43,7 @@ count_range range_of(value_type type) noexcept
     case value_type::i64: return range_of<std::int64_t>();
     case value_type::bcd16: return {0, 9'999};
     case value_type::bcd32: return {0, 99'999'999};
-    case value_type::none: return {range_of<std::int16_t>().lowest, range_of<std::uint16_t>().highest};
+    case value_type::none:
     case value_type::u16:
     case value_type::bits:
     case value_type::hex:
@@ -63,7 +64,22 @@ struct typed_number {
     std::string wrong{};
 };
 
-typed_number number_typed(std::string_view text)
+/// The number of digits of an exponent at the front of a text, with what stands before them: "e5", "E-12".
+std::size_t size_of_exponent(std::string_view text)
+{
+    std::size_t size = not text.empty() and (text[0] == 'e' or text[0] == 'E') ? 1 : 0;
+    if (size == 0) {
+        return 0;
+    }
+    size += text.size() > 1 and (text[1] == '+' or text[1] == '-') ? 1U : 0U;
+    std::size_t const first = size;
+    while (size < text.size() and is_digit(text[size])) {
+        ++size;
+    }
+    return size > first ? size : 0;
+}
+
+typed_number number_typed(std::string_view text, bool may_have_exponent)
 {
     typed_number typed;
     bool const is_negative = text.starts_with('-');
@@ -79,6 +95,7 @@ typed_number number_typed(std::string_view text)
             typed.places += has_point ? 1U : 0U;
         }
     }
+    end += may_have_exponent and count > 0 ? size_of_exponent(text.substr(end)) : 0;
     typed.digits *= is_negative ? -1 : 1;
     typed.number = text.substr(begin == 1 and not is_negative ? 1 : 0, end - (begin == 1 and not is_negative ? 1 : 0));
     typed.unit = text.substr(end);
@@ -138,15 +155,17 @@ words_typed words_of_count(value_form const& form, wide_number count)
 
 std::string text_of_count(place where, wide_number count)
 {
-    bool const is_plain = where.form.type == value_type::none;
-    where.form.type = not is_plain ? where.form.type : count < 0 ? value_type::i16 : value_type::u16;
+    where.form.type = where.form.type == value_type::none ? value_type::u16 : where.form.type;
     return value_of(where, words_of_count(where.form, count).words).text;
 }
 
-words_typed refuse_count(place const& where)
+words_typed refuse_count(place const& where, bool is_below)
 {
     count_range const range = range_of(where.form.type);
-    return {.wrong = "it takes " + text_of_count(where, range.lowest) + " to " + text_of_count(where, range.highest)};
+    bool const may_have_sign = is_below and where.form.type == value_type::none;
+    return {.wrong =
+                "it takes " + text_of_count(where, range.lowest) + " to " + text_of_count(where, range.highest) +
+                (may_have_sign ? "; of a number that may be below 0 say the type: " + text_of(where) + ":i16" : "")};
 }
 
 words_typed words_of_raw(place const& where, std::string_view text)
@@ -161,7 +180,8 @@ words_typed words_of_raw(place const& where, std::string_view text)
     }
     wide_number const count = is_negative ? wide_number{negative} : wide_number{positive};
     count_range const range = range_of(where.form.type);
-    return count < range.lowest or count > range.highest ? refuse_count(where) : words_of_count(where.form, count);
+    bool const is_below = count < range.lowest;
+    return is_below or count > range.highest ? refuse_count(where, is_below) : words_of_count(where.form, count);
 }
 
 /// Of the bytes in the order of a number: where they come in another one, those of a response may be meant.
@@ -206,7 +226,7 @@ words_typed words_of_amount(place const& where, typed_number const& typed)
     bool const is_between = above % below != 0;
     count_range const range = range_of(form.type);
     if (count < range.lowest or count + (is_between ? 1 : 0) > range.highest) {
-        return refuse_count(where);
+        return refuse_count(where, count < range.lowest);
     }
     if (is_between) {
         return {{},
@@ -216,6 +236,51 @@ words_typed words_of_amount(place const& where, typed_number const& typed)
     return words_of_count(form, count);
 }
 
+/// The digits of a number without zeros around them, and the power of ten of the first: "0.0120" is "12" and -2.
+struct plain_digits {
+    bool is_negative{false};
+    std::string digits{};
+    int power{0};
+
+    friend bool operator==(plain_digits const&, plain_digits const&) = default;
+};
+
+/// Of a number as `number_typed` takes it, or as a program prints it.
+plain_digits digits_of(std::string_view number)
+{
+    plain_digits found{.is_negative = number.starts_with('-')};
+    number.remove_prefix(found.is_negative ? 1 : 0);
+    std::size_t const end = std::min(number.find_first_of("eE"), number.size());
+    std::size_t const point = std::min(number.find('.'), end);
+    std::string_view exponent = number.substr(std::min(end + 1, number.size()));
+    exponent.remove_prefix(exponent.starts_with('+') ? 1 : 0);
+    if (std::from_chars(exponent.data(), exponent.data() + exponent.size(), found.power).ec ==
+        std::errc::result_out_of_range) {
+        constexpr int beyond_all = 1'000'000;
+        found.power = exponent.starts_with('-') ? -beyond_all : beyond_all;
+    }
+    found.power += static_cast<int>(point) - 1;
+    found.digits = std::string{number.substr(0, point)};
+    found.digits += point < end ? number.substr(point + 1, end - point - 1) : std::string_view{};
+    std::size_t const zeros = std::min(found.digits.find_first_not_of('0'), found.digits.size());
+    found.power -= static_cast<int>(zeros);
+    found.digits.erase(0, zeros);
+    found.digits.erase(found.digits.find_last_not_of('0') + 1);
+    return found.digits.empty() ? plain_digits{} : found;
+}
+
+/// Whether a number, printed with as many digits as were typed, is what was typed.
+bool is_as_typed(double held, std::string_view typed)
+{
+    plain_digits const wanted = digits_of(typed);
+    int const most = static_cast<int>(wanted.digits.size()) - 1;
+    std::string text(std::size_t{64} + wanted.digits.size(), ' ');
+    auto const end =
+        std::to_chars(text.data(), text.data() + text.size(), held, std::chars_format::scientific, std::max(most, 0));
+    plain_digits const printed = digits_of({text.data(), static_cast<std::size_t>(end.ptr - text.data())});
+    return wanted == printed and (not wanted.digits.empty() or held == 0);
+}
+
 template <typename Number> words_typed words_of_float(place const& where, std::string_view number)
 {
     auto const decimal = [](short_decimal const& one) {
@@ -223,25 +288,35 @@ template <typename Number> words_typed words_of_float(place const& where, std::s
     };
     value_form const& form = where.form;
     double amount = 0;
-    std::from_chars(number.data(), number.data() + number.size(), amount, std::chars_format::fixed);
+    auto const read = std::from_chars(number.data(), number.data() + number.size(), amount);
     double const scaled = (amount - decimal(form.offset)) / decimal(form.factor);
-    if (not(std::abs(scaled) <= static_cast<double>((std::numeric_limits<Number>::max)()))) {
+    bool const is_beyond =
+        read.ec != std::errc{} and not digits_of(number).digits.empty() and digits_of(number).power > 0;
+    if (is_beyond or not(std::abs(scaled) <= static_cast<double>((std::numeric_limits<Number>::max)()))) {
         return {.wrong = "more than its type holds"};
     }
     auto const held = static_cast<Number>(scaled);
+    double const shown = form.factor == short_decimal{1, 0} and form.offset == short_decimal{}
+                             ? static_cast<double>(held)
+                             : static_cast<double>(held) * decimal(form.factor) + decimal(form.offset);
+    words_typed typed;
     if constexpr (sizeof(Number) == 4) {
-        return words_of_bits(form, std::bit_cast<std::uint32_t>(held));
+        typed = words_of_bits(form, std::bit_cast<std::uint32_t>(held));
     } else {
-        return words_of_bits(form, std::bit_cast<std::uint64_t>(held));
+        typed = words_of_bits(form, std::bit_cast<std::uint64_t>(held));
     }
+    return is_as_typed(shown, number) ? typed
+                                      : words_typed{.wrong = "its type has no such number: the nearest is " +
+                                                             value_of(where, typed.words).text};
 }
 
 words_typed words_of_text(value_form const& form, std::string_view text)
 {
-    bool const has_control = std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20U; });
-    if (has_control or text.size() > form.characters) {
+    bool const is_plain = plain_text(text) == text;
+    if (not is_plain or text.size() > form.characters) {
         return {{},
-                "it takes a text of at most " + std::to_string(form.characters) + " bytes, without control characters"};
+                "it takes a text of at most " + std::to_string(form.characters) +
+                    " bytes in UTF-8, without control characters"};
     }
     std::string padded{text};
     padded.resize(std::size_t{2} * form.registers());
@@ -284,7 +359,7 @@ words_typed words_for(place const& where, std::string_view text)
                    ? words_typed{.wrong = "a number with a point has no count: say the number, or 0x and its registers"}
                    : words_of_raw(where, text.substr(1));
     }
-    typed_number typed = number_typed(text);
+    typed_number typed = number_typed(text, is_float);
     typed.wrong = typed.wrong.empty() ? why_not_unit(typed.unit, where.form.unit) : typed.wrong;
     if (not typed.wrong.empty()) {
         return {.wrong = typed.wrong};

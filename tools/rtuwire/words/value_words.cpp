@@ -6,6 +6,8 @@
 #include <charconv>
 #include <utility>
 
+#include <rtuwire/frames.hpp>
+
 #include "catalog/named_values.hpp"
 #include "catalog/register_limits.hpp"
 #include "catalog/value_text.hpp"
@@ -87,7 +89,31 @@ private:
         if (found_.entry != nullptr and not found_.entry->is_writable()) {
             return refuse("read_only", std::string{found_.entry->code} + " is read only");
         }
-        return true;
+        if (found_.where.form.registers() > rtuwire::max_write_quantity) {
+            return refuse("too_long", "a request writes at most " + std::to_string(rtuwire::max_write_quantity) +
+                                          " registers, of a text " + std::to_string(2 * rtuwire::max_write_quantity) +
+                                          " characters");
+        }
+        return found_.entry == nullptr or check_form(*found_.entry);
+    }
+
+    /// What a drive's register is, its table says: a form may not contradict it.
+    bool check_form(register_entry const& entry)
+    {
+        value_form const& form = found_.where.form;
+        bool const has_scale =
+            form.factor != short_decimal{1, 0} or form.offset != short_decimal{} or not form.unit.empty();
+        bool const is_signed = entry.kind == register_kind::signed_number;
+        bool const has_its_sign = form.type == (is_signed ? value_type::i16 : value_type::u16) or
+                                  form.type == value_type::none or form.type == value_type::hex or
+                                  form.type == value_type::bits;
+        if (not has_scale and has_its_sign and (form.order.empty() or form.order == "abcd")) {
+            return true;
+        }
+        return refuse("wrong_form", "this is " + std::string{entry.code} + " (" + std::string{entry.name} + "), " +
+                                        (is_signed ? "a number that may be below 0" : "no number below 0") +
+                                        (entry.unit.empty() ? "" : ", in " + std::string{entry.unit}) +
+                                        ", and its drive says its scale: leave out '" + form.said + '\'');
     }
 
     /// Leaves the words that a text stands for by the form of its place, or refuses.
@@ -113,7 +139,7 @@ private:
         }
         std::uint16_t const word = found_.words[0];
         count_ = count_ ? *count_ : found_.entry != nullptr ? found_.entry->count_of(word) : word;
-        found_.where.form = {};
+        found_.where.form = found_.entry != nullptr ? value_form{} : found_.where.form;
         return true;
     }
 
@@ -154,6 +180,15 @@ private:
         return true;
     }
 
+    /// The step of an amount; nothing where it is not known.
+    std::optional<step_size> find_step(register_entry const& entry)
+    {
+        auto const set_by = entry.steps_set_by.empty() ? nullptr : drive_->by_code(entry.steps_set_by);
+        auto const setting = set_by != nullptr and known_ ? known_(set_by->code) : std::nullopt;
+        step_ = step_of(entry, *drive_, setting);
+        return step_;
+    }
+
     bool read_steps(std::string_view text)
     {
         register_entry const& entry = *found_.entry;
@@ -171,10 +206,10 @@ private:
         if (is_by_address_ and typed.unit.empty() and has_scale(entry)) {
             return refuse_bare_number(text);
         }
-        auto const set_by = entry.steps_set_by.empty() ? nullptr : drive_->by_code(entry.steps_set_by);
-        auto const setting = set_by != nullptr and known_ ? known_(set_by->code) : std::nullopt;
-        auto const step = step_of(entry, *drive_, setting);
+        auto const step = find_step(entry);
         if (not step) {
+            register_entry const* const set_by = drive_->by_code(entry.steps_set_by);
+            auto const setting = known_ ? known_(set_by->code) : std::nullopt;
             if (setting) {
                 return refuse("unknown_step", std::string{set_by->code} + " holds " + text_of(*set_by, *setting) +
                                                   ", which is no step that is known");
@@ -182,7 +217,6 @@ private:
             found_.needed.push_back(set_by);
             return true;
         }
-        step_ = *step;
         std::int64_t const below = typed.amount.counts_below(*step);
         std::int64_t const above = typed.amount.counts_above(*step);
         count_ = below;
@@ -307,9 +341,14 @@ void value_check::check_count()
     }
     found_.words = {static_cast<std::uint16_t>(*count_)};
     if (found_.entry != nullptr) {
-        found_.step = step_ ? *step_ : found_.entry->step;
+        // A raw count has no step yet. Where that cannot be read, it is written all the same, and shown as a count.
+        if (not step_ and not find_step(*found_.entry) and not known_) {
+            found_.needed.push_back(drive_->by_code(found_.entry->steps_set_by));
+        }
+        found_.step = step_;
     }
-    found_.text = found_.entry == nullptr ? std::to_string(*count_) : found_.text_of_words(found_.words);
+    bool const is_plain = found_.entry == nullptr and found_.where.form.said.empty();
+    found_.text = is_plain ? std::to_string(*count_) : found_.text_of_words(found_.words);
 }
 
 } // namespace
@@ -317,7 +356,7 @@ void value_check::check_count()
 std::string value_to_write::text_of_words(std::span<std::uint16_t const> held) const
 {
     if (entry != nullptr) {
-        return full_text(*entry, held[0], step);
+        return step ? full_text(*entry, held[0], *step) : std::to_string(entry->count_of(held[0])) + " steps";
     }
     bool const is_plain = where.form.said.empty() and not where.is_single_bit();
     return is_plain ? std::to_string(held[0]) : value_of(where, held).text;

@@ -32,7 +32,7 @@ struct value_to_write {
     register_entry const* entry{nullptr}; ///< null where no table knows the address
     std::vector<std::uint16_t> words{};   ///< what stands on the wire; of a drive one; of a coil 0 or 1
     std::string text{};                   ///< the same for people: "1.3 s"
-    step_size step{};                     ///< of one count
+    std::optional<step_size> step{};      ///< of one count of a drive's register, where it is known
     /// Registers that set its limits or its step and have to be read first: read them, and check again.
     std::vector<register_entry const*> needed{};
     std::optional<refusal> refused{};
