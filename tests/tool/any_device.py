@@ -163,8 +163,22 @@ def check_any_values(tool, check):
             words.append(f"{at}:{kind}:{order}")
     found = tool.run(*QUIET, "-u", MODULE, "--json", "read", *words).objects()
     check(len(found) == len(words) and all(
-        each["value"] == value or near(each["value"] or 0, value) for each, value in zip(found, wanted)),
+        each["value"] == value or kind.startswith("f32") and near(each["value"], value) for each, value, kind in zip(
+            found, wanted, [word.split(":")[1] for word in words])),
         "any type in any order", list(zip(words, [each.get("value") for each in found], wanted)))
+    rows = tool.run(*QUIET, "-u", MODULE, "--csv", "read", *words).rows()
+    check([float(row["value"]) for row in rows] == [float(each["value"]) for each in found], "CSV has the same numbers", rows)
+
+
+def check_formulas(tool, check):
+    """A text that a spreadsheet would take for an order is none in CSV, and an amount stays one."""
+    how = [*QUIET, "-u", MODULE]
+    for held, shown in (("=1+2", "'=1+2"), ("@SUM", "'@SUM"), ("-2+3|x!", "'-2+3|x!"), ("+1-1", "'+1-1"), ("-cmd", "'-cmd"),
+                        ("-12", "-12"), ("+1e-3", "+1e-3"), ("-5 Hz", "-5 Hz"), ("-", "-"), ("a=b", "a=b")):
+        tool.run(*how, "-d", "none", "--write", "write", f"10:text8={held}")
+        row = tool.run(*how, "--csv", "read", "10:text8").rows()[0]
+        found = tool.run(*how, "--json", "read", "10:text8").objects()[0]
+        check((row["text"], row["value"], found["text"]) == (shown, shown, held), f"{held} in CSV", (row, found))
 
 
 def check_writes(tool, check):
@@ -275,7 +289,7 @@ def main(check, program):
         addresses = ",".join(row["address"] for row in tool.run("--csv", "list", "-d", "atv320").rows())
         near_end, tool.port = others.line()
         others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@", addresses], stderr=subprocess.DEVNULL)
-        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes,
+        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_formulas,
                      check_drive):
             part(tool, check)
 

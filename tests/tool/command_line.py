@@ -72,6 +72,7 @@ WRONG_FILES = [
 COMPLETED = [
     (["sca"], ["scan"]),
     (["--drive", "atv3"], ["atv310", "atv310_2026", "atv320"]),
+    (["-d", "no"], ["none"]),
     (["-d", "atv320", "read", "RFR"], ["RFR", "RFRD"]),
     (["-d", "atv28", "read", "RFRD"], ["RFRD"]),
     (["-d", "atv320", "read", "@hou"], ["@hours"]),

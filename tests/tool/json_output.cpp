@@ -3,6 +3,8 @@
 // Numbers as programs read them.
 #include "output/output.hpp"
 
+#include <cstdlib>
+#include <limits>
 #include <string>
 
 #include "support/catch.hpp"
@@ -15,8 +17,7 @@ std::string text_of(double value) { return tool::make_json()->text_of({{"value",
 
 TEST_CASE("defect: D41 a number in JSON has no digits that are only of its arithmetic")
 {
-    CHECK(text_of(12 * 0.1) == "{\"value\":1.2}\n");
-    CHECK(text_of(3 * 0.1) == "{\"value\":0.3}\n");
+    CHECK(text_of(12 / 10.0) == "{\"value\":1.2}\n");
     CHECK(text_of(-50.0) == "{\"value\":-50.0}\n");
     CHECK(text_of(0.0) == "{\"value\":0.0}\n");
     // What was measured keeps its digits.
@@ -24,13 +25,30 @@ TEST_CASE("defect: D41 a number in JSON has no digits that are only of its arith
     CHECK(text_of(0.000123456789) == "{\"value\":0.000123456789}\n");
 }
 
-TEST_CASE("defect: D41 every count of a current has a short number in JSON")
+TEST_CASE("defect: D41 every count of each step of a drive has a short number in JSON")
 {
-    for (int count = 0; count <= 65'535; ++count) {
-        std::string const text = text_of(count * 0.1);
-        if (text.size() > std::string{"{\"value\":6553.5}\n"}.size()) {
-            FAIL(text);
+    for (double const divisor : {10.0, 100.0, 1'000.0}) {
+        for (int count = -32'768; count <= 65'535; ++count) {
+            // Sign, digits, a point, a zero behind or in front of it.
+            if (std::string const text = text_of(count / divisor);
+                text.size() > std::string{"{\"value\":-32.768}\n"}.size()) {
+                FAIL(text);
+            }
         }
     }
     SUCCEED();
+}
+
+TEST_CASE("a number means the same to whoever reads it, in JSON and in CSV")
+{
+    using limits = std::numeric_limits<double>;
+    for (double const value : {0.1 + 0.2, 1.0 / 3.0, limits::max(), -limits::max(), limits::min(), limits::denorm_min(),
+                               9007199254740993.0}) {
+        std::string const json = text_of(value);
+        CHECK(std::strtod(json.c_str() + std::string{"{\"value\":"}.size(), nullptr) == value);
+        CHECK(std::strtod(tool::text_of_cell(value).c_str(), nullptr) == value);
+    }
+    CHECK(text_of(limits::infinity()) == "{\"value\":null}\n");
+    CHECK(tool::text_of_cell(50.0) == "50");
+    CHECK(tool::text_of_cell(230.1) == "230.1");
 }

@@ -87,6 +87,10 @@ def check_parameters(tool, check):
     for words, says in ((["explain", "NOPE"], "NOPE"), (["explain", "64999", "-d", "atv12"], "nothing is known")):
         ended = tool.run(*words)
         check(ended.status == USAGE and says in ended.errors, f"{words} is refused", ended)
+    for word, says in (("ZZ", "known to have it\n"), ("ACCX", "did you mean ACC?"), ("@foo", "known to have it\n")):
+        ended = tool.run("explain", word)
+        is_general = f"{word}: no drive of this program is" in ended.errors and "atv" not in ended.errors
+        check(ended.status == USAGE and is_general and says in ended.errors, f"{word} is of no drive that was named", ended)
 
 
 def check_menu_numbers(tool, check):

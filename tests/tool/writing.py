@@ -240,6 +240,18 @@ def check_permissions(tool, check):
         check(ended.status == USAGE and "TFR" in ended.errors, "an absurd limit is none", ended)
 
 
+def check_full_disk(tool, check):
+    """What was written is told, though the output takes nothing."""
+    for form in ([], ["--json"], ["--csv"]):
+        with Units({7: dict(REGISTERS)}) as line, open("/dev/full", "wb") as full:
+            process = tool.start("--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write", *form, "write",
+                                 "ACC=1.3s", "HSP=49Hz", stdout=full)
+            _, errors = process.communicate(timeout=LIMIT)
+            is_told = "standard output" in errors and "ACC: 3.0 s -> 1.3 s; what stands behind it was not tried" in errors
+            held = (line.units[7][9001], line.units[7][3104])
+            check(process.returncode == PORT and is_told and held == (13, 500), f"a write into a full disk {form}", (errors, held))
+
+
 def check_log(tool, check):
     """The log is a regular file, or nothing is written: a pipe would keep the program waiting."""
     folder = tool.place / "state" / "rtuwire"
@@ -313,7 +325,7 @@ def check_question(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_refusals, check_together, check_write, check_interrupt, check_results, check_permissions, check_log, check_terminal,
+        for part in (check_refusals, check_together, check_write, check_interrupt, check_results, check_permissions, check_full_disk, check_log, check_terminal,
                      check_question):
             part(tool, check)
 

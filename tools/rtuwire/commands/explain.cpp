@@ -170,7 +170,11 @@ std::vector<drive_catalog const*> drives_with(choices const& chosen, std::string
         }
     }
     if (found.empty()) {
-        refuse_word(first ? first->sentence : word + ": no drive of this program is known to have it");
+        // What is said of one drive's list says nothing where none was named.
+        bool const is_of_a_list = not first or first->kind == "unknown_register" or first->kind == "unknown_group";
+        std::string const nearest =
+            first and not first->nearest.empty() ? "; did you mean " + first->nearest + "?" : std::string{};
+        refuse_word(is_of_a_list ? word + ": no drive of this program is known to have it" + nearest : first->sentence);
     }
     return found;
 }

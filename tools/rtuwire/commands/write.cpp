@@ -281,7 +281,14 @@ private:
         if (chosen_.form == output_form::csv or (chosen_.form == output_form::json and not error.empty())) {
             row.add("error", error.empty() ? cell{} : cell{error});
         }
-        results_.put(row, not error.empty());
+        try {
+            results_.put(row, not error.empty());
+        } catch (ended const& why) { // what was done is told all the same
+            throw ended{why.status, std::string{why.what()} + "; unit " + std::to_string(unit_.unit.byte()) + ": " +
+                                        label_of({value.where, value.entry}) + ": " + shown(before) + " -> " +
+                                        shown(after) + (all.empty() ? "" : " (" + all + ')') +
+                                        "; what stands behind it was not tried"};
+        }
     }
 
     /// People are told that something is not known; for programs there is nothing.

@@ -148,7 +148,7 @@ std::string choices_of_words(tool_texts const& texts)
 {
     return "    case $before in\n"
            "        -d|--drive) choose \"" +
-           drives() +
+           drives() + " none" +
            "\"; return ;;\n"
            "        -f|--format|--formats) choose '8E1 8N1 8O1 8N2'; return ;;\n"
            "        -b|--baud|--bauds) choose '4800 9600 19200 38400 57600 115200'; return ;;\n"

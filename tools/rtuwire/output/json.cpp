@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // One JSON object a line.
-#include <cstdio>
-#include <cstdlib>
-
 #include <nlohmann/json.hpp>
 
 #include "output/output.hpp"
@@ -15,13 +12,6 @@ namespace {
 
 struct to_json {
     nlohmann::ordered_json operator()(std::monostate) const { return nullptr; }
-    /// Without the last digits, which are of its arithmetic: twelve steps of 0.1 A are 1.2 A, not 1.2000000000000002 A.
-    nlohmann::ordered_json operator()(double value) const
-    {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.15g", value);
-        return std::strtod(text, nullptr);
-    }
     template <typename Value> nlohmann::ordered_json operator()(Value const& value) const { return value; }
 };
 

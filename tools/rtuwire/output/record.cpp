@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "output/record.hpp"
 
-#include <cstdio>
+#include <charconv>
 
 namespace tool {
 
@@ -16,8 +16,8 @@ struct to_text {
     std::string operator()(double value) const
     {
         char text[32];
-        std::snprintf(text, sizeof text, "%.10g", value);
-        return text;
+        auto const end = std::to_chars(text, text + sizeof text, value);
+        return {text, end.ptr};
     }
     std::string operator()(std::string const& value) const { return value; }
 };
