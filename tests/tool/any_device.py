@@ -233,6 +233,91 @@ MOVES = [["8501=6"], ["holding:8501=6"], ["h:0x2135=0x0006"], ["list:48502=6"], 
          ["8602:i16=100"], ["list:48603=100rpm"], ["holding:12761:u16=6"]]
 
 
+METER_FILE = """
+[[register]]
+name = "l1"
+space = "input"
+address = 1000
+type = "f32"
+order = "cdab"
+unit = "V"
+[[register]]
+name = "l2"
+space = "input"
+address = 1002
+type = "f32"
+order = "cdab"
+scale = 0.001
+unit = "kV"
+"""
+MODULE_FILE = """
+[[register]]
+name = "setpoint"
+address = 4
+type = "i16"
+scale = 0.1
+unit = "degC"
+access = "write"
+min = -10
+max = 95.5
+[[register]]
+name = "relay"
+space = "coil"
+address = 9
+access = "write"
+[[register]]
+name = "fixed"
+address = 5
+"""
+DRIVE_FILE = """
+[[register]]
+name = "speed"
+address = 8501
+access = "write"
+[[register]]
+name = "wide"
+address = 8601
+type = "u32"
+access = "write"
+"""
+
+
+def check_register_file(tool, check):
+    """Names of a meter and of a module that nobody here wrote; a file makes no drive's command words writable."""
+    for name, text in (("meter", METER_FILE), ("module", MODULE_FILE), ("drive", DRIVE_FILE), ("wrong", METER_FILE + "adress = 1")):
+        (tool.place / f"{name}.toml").write_text(text)
+    meter = [*QUIET, "-u", METER, "--device", "meter.toml"]
+    found = tool.run(*meter, "--json", "read", "l*").objects()
+    check([(each["register"], each["text"]) for each in found] == [("l1", "230.1 V"), ("l2", "0.2315 kV")], "names are read", found)
+    rows = tool.run(*meter, "--csv", "watch", "l1", "input:1002:f32:cdab", "--every", "50ms", "--for", "0.2s").rows()
+    check({(row["l1"], row["input:1002:f32:cdab"]) for row in rows} == {("230.1", "231.5")}, "names are watched", rows)
+    shown = tool.on_terminal(*meter, "monitor", "l1", keys=[("230.1 V", "q")])
+    check(shown.status == DONE and "l1" in shown.output, "names are monitored", shown)
+    module = [*QUIET, "-u", MODULE, "--device", "module.toml", "--write", "--json", "write"]
+    ended = tool.run(*module, "setpoint=-9.9degC", "relay=on")
+    held = [each["raw"] for each in tool.run(*QUIET, "-u", MODULE, "--json", "read", "4", "coil:9").objects()]
+    check(ended.status == DONE and held == [65536 - 99, 1], "names are written", (ended, held))
+    for word, says in (("setpoint=95.6", "at most 95.5 degC"), ("fixed=1", "read only"), ("5=1", "read only"), ("4=1", "say that name"),
+                       ("relais=on", "did you mean relay?")):
+        ended = tool.run(*module, "relay=off", word)
+        held = tool.run(*QUIET, "-u", MODULE, "--json", "read", "coil:9").objects()[0]["raw"]
+        check(ended.status == USAGE and says in ended.errors and held == 1, f"{word} is refused before a frame leaves", ended)
+    ended = tool.run("device", "check", "meter.toml", "module.toml")
+    check(ended.status == DONE and ["l1", "input:1000:f32:cdab:1V", "read", "only"] in ended.table(), "a file is checked", ended)
+    for words in (["device", "check", "wrong.toml"], ["--device", "wrong.toml", "read", "l1"]):
+        ended = tool.run(*words, port="/dev/nowhere")
+        is_told = "wrong.toml:17:1: 'adress' is no key here; did you mean 'address'?" in ended.errors
+        check(ended.status == USAGE and is_told, f"{words}: a wrong file is refused, and nothing opened", ended)
+    for words, says in ((["-d", "atv320", "read", "l1"], "said to be an atv320"), (["stop"], "'stop' does not"),
+                        (["--allow-run", "start", "--frequency", "9Hz"], "'start' does not")):
+        ended = tool.run("-u", 7, "--device", "meter.toml", *words, port="sim:atv320:7")
+        check(ended.status == USAGE and says in ended.errors, f"{words} takes no register file", ended)
+    for words, status in ((["speed=6"], REFUSED), (["wide=6"], REFUSED), (["8501=6"], REFUSED)):
+        for beside in ([], ["--allow-run"]):
+            ended = tool.run("--no-listen", "-u", 7, "--device", "drive.toml", "--write", *beside, "write", *words, port="sim:atv320:7")
+            check(ended.status == status, f"a file makes no command writable: {words} {beside}", ended)
+
+
 def check_drive(tool, check):
     """A drive's words are protected by whatever words they are named; so are they of a drive that is said to be none."""
     tool.port = "sim:atv320:7,atv28:4"
@@ -289,7 +374,7 @@ def main(check, program):
         addresses = ",".join(row["address"] for row in tool.run("--csv", "list", "-d", "atv320").rows())
         near_end, tool.port = others.line()
         others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@", addresses], stderr=subprocess.DEVNULL)
-        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_formulas,
+        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_formulas, check_register_file,
                      check_drive):
             part(tool, check)
 

@@ -3,7 +3,6 @@
 """A program on a terminal of its own, whose screen can be read."""
 import fcntl
 import os
-import pathlib
 import pty
 import re
 import select
@@ -14,10 +13,9 @@ import time
 
 import pyte
 
-from support import own_terminal
+from support import KEPT_BY_NCURSES, own_terminal
 
 LIMIT = 60.0  # s, for what has to happen
-KEPT_BY_NCURSES = pathlib.Path(__file__).resolve().parent / "kept_by_ncurses.txt"
 LEAVES = b"\x1b[?1049l"  # the end of the whole screen
 FORM = {"TERM": "screen-256color", "LC_ALL": "C.UTF-8"}  # what pyte understands
 

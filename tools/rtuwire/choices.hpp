@@ -28,6 +28,7 @@ struct line_choices {
     std::string unit{"1"};                    ///< a number, or one of `names`
     bool is_unit_named{false};                ///< by the command line or the file: it is not the 1 of nobody's choice
     std::string drive{};                      ///< empty: recognised by asking
+    std::string device{};                     ///< a register file; empty: none
     std::vector<std::string> names{};         ///< "fan=7:atv320"
     std::optional<double> response_timeout{}; ///< seconds; nothing: as the command thinks best
     double late_response{

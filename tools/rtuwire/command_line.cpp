@@ -9,6 +9,7 @@
 
 #include "command_words.hpp"
 #include "configuration.hpp"
+#include "device/register_file.hpp"
 #include "help/tool_texts.hpp"
 #include "line/line_words.hpp"
 #include "output/plain_text.hpp"
@@ -271,6 +272,13 @@ parsed parse(int argc, char** argv)
         refuse_word(wrong);
     }
     mend(app, chosen, of_file);
+    if (constexpr std::string_view by_name[]{"read", "watch", "monitor", "write"};
+        not chosen.line.device.empty() and std::ranges::count(by_name, chosen.command) == 0) {
+        refuse_word("--device: read, watch, monitor and write know register files, '" + chosen.command + "' does not");
+    }
+    if (not chosen.line.device.empty()) { // before anything is opened
+        static_cast<void>(register_file_at(chosen.line.device));
+    }
     chosen.line.typed = typed_in(app, argc > 0 ? argv[0] : "");
     if (chosen.command == "completion" or chosen.command == "man") {
         return {std::nullopt, print_own_text(app, chosen)};

@@ -30,6 +30,8 @@ void add_line_options(CLI::App& app, line_choices& line)
     app.add_option("-b,--baud", line.baud, "bits a second")->capture_default_str();
     app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
     app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it; none: it is no drive");
+    app.add_option("--device", line.device,
+                   "a register file of what is no drive: names of its registers for read, watch, monitor, write");
     app.add_option("--name", line.names, "a unit's name: fan=7:atv320")->allow_extra_args(false);
     app.add_option("--timeout", line.response_timeout, "seconds to wait for a response")
         ->check(why_no_number)
@@ -247,6 +249,13 @@ void add_line_tools(CLI::App& app, choices& chosen)
     simulate.add_option("--vendor", chosen.vendor, "who made them, instead of what their manuals print");
 }
 
+void add_device(CLI::App& app, choices& chosen)
+{
+    CLI::App& device = add_command(app, chosen, "device", "check register files: device check FILE");
+    add_operands(device, chosen, "FILE", "check, then one or more files", true);
+    add_to_footer(device, register_file_text());
+}
+
 /// What the program says of itself.
 void add_own_texts(CLI::App& app, choices& chosen)
 {
@@ -268,6 +277,7 @@ void add_words(CLI::App& app, choices& chosen)
     add_writing(app, chosen);
     add_settings(app, chosen);
     add_line_tools(app, chosen);
+    add_device(app, chosen);
     add_own_texts(app, chosen);
 }
 

@@ -104,7 +104,7 @@ private:
             return written != values.rend() ? std::optional{written->words[0]} : limits.known()(code);
         };
         for (std::string const& word : chosen_.words) {
-            value_to_write value = check_value(word, rules_.drive, known);
+            value_to_write value = check_value(word, {rules_.drive, unit_.names}, known);
             refuse_if_wrong(value);
             if (not value.is_ready()) {
                 throw ended{status_of(limits.first_error()),
@@ -121,7 +121,7 @@ private:
     {
         std::vector<chosen_register> needed;
         for (std::string const& word : chosen_.words) {
-            value_to_write const value = check_value(word, rules_.drive);
+            value_to_write const value = check_value(word, {rules_.drive, unit_.names});
             refuse_if_wrong(value);
             for (register_entry const* const each : value.needed) {
                 needed.push_back({{each->address}, each});

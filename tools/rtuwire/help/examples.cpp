@@ -31,6 +31,7 @@ constexpr std::pair<std::string_view, std::string_view> examples[] = {
     {"timing", "rtuwire timing line.pcapng"},
     {"decode", "rtuwire decode 07 03 0C 82 00 01 27 14"},
     {"simulate", "rtuwire simulate atv320:7 atv12:3"},
+    {"device", "rtuwire device check meter.toml"},
     {"completion", "rtuwire completion bash > ~/.local/share/bash-completion/completions/rtuwire"},
     {"man", "rtuwire man > ~/.local/share/man/man1/rtuwire.1"},
 };
@@ -56,6 +57,18 @@ std::string places_text()
            "  type   u16 i16 u32 i32 u64 i64 f32 f64 bcd16 bcd32 text20 bits hex\n"
            "  order  abcd (as without one), cdab (low word first), badc, dcba; of 64 bits eight letters, too\n"
            "  scale  0.1, 0.1V, 0.01m3/h, 0.1degC-50: times, unit, what is added then\n";
+}
+
+std::string register_file_text()
+{
+    return "A register file is TOML: for each register a table\n"
+           "  [[register]]\n"
+           "  name = \"voltage_l1\"   letters, digits and _\n"
+           "  space = \"input\"       holding (as without it), input, coil, discrete; list: the address is of a list\n"
+           "  address = 1000\n"
+           "  bits = \"4-7\"          one number of some bits, or \"3\"\n"
+           "  type = \"f32\"          order = \"cdab\", scale = 0.1, unit = \"V\", offset = -50: as those of a place\n"
+           "  access = \"write\"      else it is only read;  min = 0  max = 400: what is written, in the unit\n";
 }
 
 } // namespace tool

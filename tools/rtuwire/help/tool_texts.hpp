@@ -37,6 +37,9 @@ struct tool_texts {
 /// How a place of any device is typed, in lines.
 [[nodiscard]] std::string places_text();
 
+/// How a register file is written, in lines.
+[[nodiscard]] std::string register_file_text();
+
 /// A script for a shell: "bash" or "zsh"; empty for another one. After --drive it knows the drive's registers.
 [[nodiscard]] std::string completion_script(tool_texts const& texts, std::string const& shell);
 

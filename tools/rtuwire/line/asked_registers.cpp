@@ -11,10 +11,10 @@ namespace tool {
 
 void refuse(refusal const& why) { refuse_word(why.sentence); }
 
-std::vector<chosen_register> registers_in(std::vector<std::string> const& words, drive_catalog const* drive)
+std::vector<chosen_register> registers_in(std::vector<std::string> const& words, vocabulary const& known)
 {
     std::vector<std::string_view> const views{words.begin(), words.end()};
-    register_selection selection = select_registers(views, drive);
+    register_selection selection = select_registers(views, known);
     if (selection.refused) {
         refuse(*selection.refused);
     }
@@ -55,7 +55,7 @@ asked_registers registers_asked(choices const& chosen, open_line& line)
     drive_catalog const* const drive = not unit.drive.empty() ? catalog_or_none(unit.drive)
                                        : has_numbers_only ? drive_of_numbers(line, unit.unit, first_menu_number(views))
                                                           : &catalog_of(line, unit.unit, {});
-    return {unit, drive, registers_in(chosen.words, drive)};
+    return {unit, drive, registers_in(chosen.words, {drive, unit.names})};
 }
 
 } // namespace tool

@@ -24,7 +24,7 @@ struct asked_registers {
 asked_registers registers_asked(choices const& chosen, open_line& line);
 
 /// The registers that words mean; refuses those that name nothing.
-std::vector<chosen_register> registers_in(std::vector<std::string> const& words, drive_catalog const* drive);
+std::vector<chosen_register> registers_in(std::vector<std::string> const& words, vocabulary const& known);
 
 /// Ends with a refusal's sentence.
 [[noreturn]] void refuse(refusal const& why);

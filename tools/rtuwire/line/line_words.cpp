@@ -11,6 +11,7 @@
 
 #include <rtuwire/port.hpp>
 
+#include "device/register_file.hpp"
 #include "exit_status.hpp"
 #include "words/suggestion.hpp"
 
@@ -148,6 +149,14 @@ named_unit unit_in(line_choices const& line)
     }
     named_unit chosen = found ? *found : named_unit{address_in(line.unit, "--unit")};
     chosen.drive = line.drive.empty() ? chosen.drive : line.drive;
+    if (not line.device.empty()) {
+        if (not chosen.drive.empty() and chosen.drive != "none") {
+            refuse_word("--device " + line.device +
+                        ": a register file is of what is no drive, and this unit is said to be an " + chosen.drive);
+        }
+        chosen.drive = "none";
+        chosen.names = &register_file_at(line.device);
+    }
     return chosen;
 }
 

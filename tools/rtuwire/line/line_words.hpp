@@ -11,6 +11,7 @@
 #include <rtuwire/client.hpp>
 
 #include "choices.hpp"
+#include "words/named_places.hpp"
 
 namespace tool {
 
@@ -26,8 +27,9 @@ std::vector<std::uint8_t> units_in(std::string const& word);
 /// A unit, and what is known of it by --name and --drive.
 struct named_unit {
     rtuwire::unit_id unit;
-    std::string name{};  ///< empty where it has none
-    std::string drive{}; ///< empty where nobody said
+    std::string name{};                 ///< empty where it has none
+    std::string drive{};                ///< empty where nobody said
+    named_places const* names{nullptr}; ///< of --device
 };
 
 /// The unit that --unit means: an address, or one of the names. Refuses others, with the nearest name.

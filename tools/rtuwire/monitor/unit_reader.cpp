@@ -84,7 +84,7 @@ void unit_reader::begin(drive_catalog const* drive)
 void unit_reader::choose_registers(std::string const& word)
 {
     std::string_view const one[]{word};
-    register_selection found = select_registers(one, drive_);
+    register_selection found = select_registers(one, {drive_, unit_.names});
     if (found.refused) {
         shown_.note += (shown_.note.empty() ? "has no " : ", ") + word;
         return;

@@ -82,9 +82,9 @@ void check_register_words(std::vector<std::string> const& words, std::vector<nam
     }
     for (std::string const& word : words) {
         std::string_view const one[]{word};
-        std::optional<refusal> why = select_registers(one, nullptr).refused;
+        std::optional<refusal> why = select_registers(one, {nullptr, units.front().names}).refused;
         for (drive_catalog const* const each : all_catalogs()) {
-            if (why) {
+            if (why and units.front().names == nullptr) {
                 why = select_registers(one, each).refused;
             }
         }

@@ -493,6 +493,9 @@ places_typed read_places(std::string_view word) { return place_reader{word}.run(
 
 std::string text_of(place const& where)
 {
+    if (not where.name.empty()) {
+        return where.name;
+    }
     std::string text = where.is_space_said ? std::string{name_of(where.space)} + ':' : std::string{};
     text += std::to_string(where.address);
     text += where.bit < 0 ? "" : '.' + std::to_string(where.bit);

@@ -54,6 +54,7 @@ struct place {
     register_space space{register_space::holding};
     bool is_space_said{false};
     value_form form{};
+    std::string name{}; ///< by a register file
 
     /// Coils and discrete inputs.
     [[nodiscard]] bool is_single_bit() const noexcept { return space >= register_space::coil; }
@@ -71,7 +72,7 @@ struct places_typed {
 };
 [[nodiscard]] places_typed read_places(std::string_view word);
 
-/// A place as it may be typed: "input:40:f32:cdab", "40.4-7".
+/// A place as it may be typed: its name, "input:40:f32:cdab", "40.4-7".
 [[nodiscard]] std::string text_of(place const& where);
 
 /// "holding", "input", "coil", "discrete".

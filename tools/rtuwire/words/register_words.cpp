@@ -36,7 +36,7 @@ std::string not_among(drive_catalog const& drive)
 /// Collects registers, each once.
 class collector {
 public:
-    explicit collector(drive_catalog const* drive) noexcept : drive_{drive} {}
+    explicit collector(vocabulary const& known) noexcept : drive_{known.drive}, names_{known.names} {}
 
     void add(std::uint16_t address, int bit = -1) { add(place{.address = address, .bit = bit}); }
     void add(place const& where)
@@ -53,6 +53,7 @@ public:
     [[nodiscard]] std::vector<chosen_register> take() noexcept { return std::move(found_); }
 
 private:
+    [[nodiscard]] refusal_or_none add_names(std::string_view word);
     [[nodiscard]] refusal_or_none add_places(std::string_view word);
     [[nodiscard]] refusal_or_none add_numbers(std::string_view word, std::size_t dash);
     [[nodiscard]] refusal_or_none add_group(std::string_view word);
@@ -61,6 +62,7 @@ private:
     [[nodiscard]] refusal_or_none add_code(std::string_view word);
 
     drive_catalog const* drive_;
+    named_places const* names_;
     std::vector<chosen_register> found_;
     std::set<place> seen_;
 };
@@ -79,6 +81,9 @@ refusal_or_none collector::add_word(std::string_view word)
 {
     if (is_place_word(word)) {
         return add_places(word);
+    }
+    if (names_ != nullptr and not word.empty() and not is_digit(word[0])) {
+        return add_names(word);
     }
     if (register_entry const* const entry = drive_ == nullptr ? nullptr : drive_->by_menu(word); entry != nullptr) {
         add(entry->address);
@@ -99,6 +104,23 @@ refusal_or_none collector::add_word(std::string_view word)
         return add_bit(word, dot);
     }
     return word.find_first_of("*?") != word.npos ? add_matches(word) : add_code(word);
+}
+
+/// A name of the register file, or a glob of several.
+refusal_or_none collector::add_names(std::string_view word)
+{
+    std::size_t matched = 0;
+    std::vector<std::string_view> known;
+    for (named_place const& each : names_->places) {
+        known.push_back(each.where.name);
+        if (matches(word, each.where.name)) {
+            add(each.where);
+            ++matched;
+        }
+    }
+    return matched > 0
+               ? refusal_or_none{}
+               : unknown("unknown_register", word, names_->file + " has no such register", nearest_word(word, known));
 }
 
 refusal_or_none collector::add_places(std::string_view word)
@@ -225,9 +247,9 @@ std::vector<std::string_view> parts_of(std::string_view word)
 
 } // namespace
 
-register_selection select_registers(std::span<std::string_view const> words, drive_catalog const* drive)
+register_selection select_registers(std::span<std::string_view const> words, vocabulary const& known)
 {
-    collector found{drive};
+    collector found{known};
     for (std::string_view const word : words) {
         for (std::string_view const part : parts_of(word)) {
             if (auto wrong = part.empty()

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "catalog/catalog.hpp"
+#include "words/named_places.hpp"
 #include "words/place.hpp"
 #include "words/words.hpp"
 
@@ -49,8 +50,8 @@ struct register_group {
 /// Both: what may stand behind @ for that drive.
 [[nodiscard]] std::vector<std::string_view> all_groups_of(drive_catalog const& drive);
 
-/// The registers that words name. Without a drive (null) there are only numbers.
-[[nodiscard]] register_selection select_registers(std::span<std::string_view const> words, drive_catalog const* drive);
+/// The registers that words name. Without a drive and names there are only numbers.
+[[nodiscard]] register_selection select_registers(std::span<std::string_view const> words, vocabulary const& known);
 
 /// Why one of the words that are places of any device is none: no drive's table would help.
 [[nodiscard]] std::optional<refusal> wrong_place_in(std::span<std::string_view const> words);

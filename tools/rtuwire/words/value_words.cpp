@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <utility>
+#include <variant>
 
 #include <rtuwire/frames.hpp>
 
@@ -22,8 +24,8 @@ namespace {
 /// One check of one word. Each part refuses, or leaves a count behind.
 class value_check {
 public:
-    value_check(std::string_view word, drive_catalog const* drive, known_words const& known)
-        : word_{word}, drive_{drive}, known_{known}
+    value_check(std::string_view word, vocabulary const& meant, known_words const& known)
+        : word_{word}, drive_{meant.drive}, names_{meant.names}, known_{known}
     {}
 
     [[nodiscard]] value_to_write run()
@@ -60,7 +62,7 @@ private:
     bool find_register(std::string_view name)
     {
         is_by_address_ = not name.empty() and (is_digit(name[0]) or is_place_word(name));
-        register_selection const chosen = select_registers(std::span{&name, 1}, drive_);
+        register_selection const chosen = select_registers(std::span{&name, 1}, {drive_, names_});
         if (chosen.refused) {
             found_.refused = chosen.refused;
             return false;
@@ -94,7 +96,44 @@ private:
                                           " registers, of a text " + std::to_string(2 * rtuwire::max_write_quantity) +
                                           " characters");
         }
-        return found_.entry == nullptr or check_form(*found_.entry);
+        return check_name(name) and (found_.entry == nullptr or check_form(*found_.entry));
+    }
+
+    /// What a register file says of a place counts by whatever words it is meant.
+    bool check_name(std::string_view typed)
+    {
+        named_ = names_ == nullptr ? nullptr : names_->by_name(typed);
+        named_place const* const met =
+            named_ != nullptr or names_ == nullptr ? named_ : names_->overlapping(found_.where);
+        if (met == nullptr) {
+            return true;
+        }
+        if (not met->is_writable) {
+            return refuse("read_only", met->where.name + " is read only: " + names_->file + ":" +
+                                           std::to_string(met->line) + " gives it no access = \"write\"");
+        }
+        return named_ != nullptr or refuse("wrong_place", "this is " + met->where.name + " of " + names_->file +
+                                                              ", which has a form and limits: say that name");
+    }
+
+    bool check_named_limits()
+    {
+        if (named_ == nullptr or (not named_->lowest and not named_->highest)) {
+            return true;
+        }
+        cell const value = value_of(named_->where, found_.words).value;
+        double const amount =
+            std::holds_alternative<double>(value)          ? std::get<double>(value)
+            : std::holds_alternative<std::int64_t>(value)  ? static_cast<double>(std::get<std::int64_t>(value))
+            : std::holds_alternative<std::uint64_t>(value) ? static_cast<double>(std::get<std::uint64_t>(value))
+                                                           : std::numeric_limits<double>::quiet_NaN();
+        bool const is_within = amount >= named_->lowest.value_or(amount) and amount <= named_->highest.value_or(amount);
+        std::string const unit = named_->where.form.unit.empty() ? "" : ' ' + named_->where.form.unit;
+        auto const text = [&unit](std::optional<double> const& limit) { return text_of_cell(*limit) + unit; };
+        return is_within or refuse("beyond_limits", named_->where.name + " takes" +
+                                                        (named_->lowest ? " at least " + text(named_->lowest) : "") +
+                                                        (named_->lowest and named_->highest ? " and" : "") +
+                                                        (named_->highest ? " at most " + text(named_->highest) : ""));
     }
 
     /// What a drive's register is, its table says: a form may not contradict it.
@@ -124,6 +163,9 @@ private:
             return refuse("not_a_number", typed.wrong);
         }
         found_.words = std::move(typed.words);
+        if (not check_named_limits()) {
+            return false;
+        }
         count_ = typed.count;
         bool const is_plain = count_ and found_.where.form.said.empty();
         found_.text = is_plain ? std::to_string(*count_) : found_.text_of_words(found_.words);
@@ -284,6 +326,8 @@ private:
     std::string_view word_;
     bool is_by_address_{false};
     drive_catalog const* drive_;
+    named_places const* names_;
+    named_place const* named_{nullptr};
     known_words const& known_;
     value_to_write found_{};
     std::optional<std::int64_t> count_{};
@@ -362,9 +406,9 @@ std::string value_to_write::text_of_words(std::span<std::uint16_t const> held) c
     return is_plain ? std::to_string(held[0]) : value_of(where, held).text;
 }
 
-value_to_write check_value(std::string_view word, drive_catalog const* drive, known_words const& known)
+value_to_write check_value(std::string_view word, vocabulary const& meant, known_words const& known)
 {
-    return value_check{word, drive, known}.run();
+    return value_check{word, meant, known}.run();
 }
 
 } // namespace tool

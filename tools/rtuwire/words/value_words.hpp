@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "catalog/catalog.hpp"
+#include "words/named_places.hpp"
 #include "words/place.hpp"
 #include "words/words.hpp"
 
@@ -46,8 +47,7 @@ struct value_to_write {
 /// nothing; a second call has the words of the registers that the first one needed. Without a drive (null) there are
 /// only places and their forms. Of a drive a place is one of its holding registers, whatever its form: the word that it
 /// means is checked as the same raw count at the address is.
-[[nodiscard]] value_to_write check_value(std::string_view word, drive_catalog const* drive,
-                                         known_words const& known = {});
+[[nodiscard]] value_to_write check_value(std::string_view word, vocabulary const& meant, known_words const& known = {});
 
 /// The limits of a register for people: "10.0 Hz to TFR, which is not known", "0.0 s to 999.9 s".
 [[nodiscard]] std::string limits_text(register_entry const& entry, step_size step, known_words const& known,

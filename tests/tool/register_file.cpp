@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Register files: what they mean, and what is refused of them, where and why.
+#include "device/register_file.hpp"
+
+#include <string>
+#include <string_view>
+
+#include "support/catch.hpp"
+
+#include "exit_status.hpp"
+#include "words/register_words.hpp"
+#include "words/value_words.hpp"
+
+namespace {
+
+constexpr std::string_view meter = R"(# A meter.
+[[register]]
+name = "voltage"
+space = "input"
+address = 1000
+type = "f32"
+order = "cdab"
+unit = "V"
+
+[[register]]
+name = "setpoint"
+address = 40
+type = "i16"
+scale = 0.1
+unit = "degC"
+offset = -50
+access = "write"
+min = -10
+max = 95.5
+
+[[register]]
+name = "mode"
+address = 41
+bits = "4-7"
+
+[[register]]
+name = "ready"
+address = 41
+bits = "3"
+
+[[register]]
+name = "relay"
+space = "coil"
+address = 0x03
+access = "write"
+
+[[register]]
+name = "serial"
+space = "list"
+address = 40101
+type = "text20"
+)";
+
+/// The sentence of a refusal; empty where there is none.
+std::string refused(std::string const& text)
+{
+    try {
+        static_cast<void>(tool::read_register_file("m.toml", text));
+    } catch (tool::ended const& why) {
+        CHECK(why.status == tool::exit_status::usage);
+        return why.what();
+    }
+    return {};
+}
+
+std::string of_one(std::string_view lines)
+{
+    return "[[register]]\nname = \"a1\"\naddress = 40\n" + std::string{lines};
+}
+
+} // namespace
+
+TEST_CASE("a register file's names are places")
+{
+    tool::named_places const file = tool::read_register_file("m.toml", std::string{meter});
+    std::string all;
+    for (tool::named_place const& each : file.places) {
+        tool::place bare = each.where;
+        bare.name.clear();
+        all += each.where.name + ' ' + tool::text_of(bare) + (each.is_writable ? " w\n" : "\n");
+        CHECK(tool::text_of(each.where) == each.where.name);
+    }
+    CHECK(all == "voltage input:1000:f32:cdab:1V\nsetpoint holding:40:i16:0.1degC-50.0 w\nmode holding:41.4-7\n"
+                 "ready holding:41.3\nrelay coil:3 w\nserial holding:100:text20\n");
+    std::string_view const words[]{"Voltage", "re*", "input:7"};
+    tool::register_selection const found = tool::select_registers(words, {nullptr, &file});
+    REQUIRE(found.registers.size() == 4);
+    CHECK(found.registers[2].where.name == "relay");
+    std::string_view const wrong[]{"voltag"};
+    CHECK(tool::select_registers(wrong, {nullptr, &file}).refused->nearest == "voltage");
+}
+
+TEST_CASE("what a register file says of a value counts, by whatever words it is written")
+{
+    tool::named_places const file = tool::read_register_file("m.toml", std::string{meter});
+    auto const says = [&file](std::string_view word) {
+        tool::value_to_write const value = tool::check_value(word, {nullptr, &file});
+        return value.refused ? value.refused->sentence : value.text;
+    };
+    CHECK(says("setpoint=21.5degC") == "21.5 degC");
+    CHECK(says("SETPOINT=-10") == "-10.0 degC");
+    CHECK(says("setpoint=95.5") == "95.5 degC");
+    CHECK(says("relay=on") == "1");
+    CHECK(says("holding:50=7") == "7");
+    for (std::string_view const word : {"setpoint=95.6", "setpoint=-10.1", "setpoint=#1456", "setpoint=0x7FFF"}) {
+        CHECK(says(word) == std::string{word} + ": setpoint takes at least -10 degC and at most 95.5 degC");
+    }
+    CHECK(says("voltage=1V") == "voltage=1V: input registers and discrete inputs are read only");
+    CHECK(says("serial=x") == "serial=x: serial is read only: m.toml:38 gives it no access = \"write\"");
+    CHECK(says("holding:100=1") == "holding:100=1: serial is read only: m.toml:38 gives it no access = \"write\"");
+    CHECK(says("109:u16=1") == "109:u16=1: serial is read only: m.toml:38 gives it no access = \"write\"");
+    CHECK(says("40=1") == "40=1: this is setpoint of m.toml, which has a form and limits: say that name");
+    CHECK(says("39:u32=1") == "39:u32=1: this is setpoint of m.toml, which has a form and limits: say that name");
+    CHECK(says("coil:3=on") == "coil:3=on: this is relay of m.toml, which has a form and limits: say that name");
+}
+
+TEST_CASE("a register file that is wrong is refused with its place and the reason")
+{
+    struct row {
+        std::string text;
+        std::string_view says;
+    };
+    row const rows[]{
+        {"", "m.toml:1:1: it has no registers"},
+        {"register = 5", "m.toml:1:12: it has no registers"},
+        {"register = [1]", "m.toml:1:12: it has no registers"},
+        {"register = []", "m.toml:1:12: it has no registers"},
+        {"[[register]]\nname = ", "m.toml:2:"},
+        {"[[registers]]\n", "'registers' is no key here; did you mean 'register'?"},
+        {"[[register]]\naddress = 4", "m.toml:1:1: a register without a name"},
+        {"[[register]]\nname = \"a1\"\n", "m.toml:1:1: address is missing, or no whole number"},
+        {"[[register]]\nname = 7\n", "m.toml:2:8: name is a text"},
+        {"[[register]]\nname = \"a1\"\naddress = \"40\"", "m.toml:3:11: address is missing, or no whole number"},
+        {"[[register]]\nname = \"a1\"\naddress = 4.5", "m.toml:3:11: address is missing, or no whole number"},
+        {"[[register]]\nname = \"a1\"\naddress = -1", "a1 is holding:-1: '' is no address"},
+        {"[[register]]\nname = \"a1\"\naddress = 65536", "'65536' is no address"},
+        {of_one("adress = 4"), "m.toml:4:1: 'adress' is no key here; did you mean 'address'?"},
+        {of_one("type = \"f33\""), "'f33' is no type"},
+        {of_one("type = \"f32:cdab\""), "m.toml:4:8: type: 'f32:cdab' is none"},
+        {of_one("type = 32"), "m.toml:4:8: type is a text"},
+        {of_one("bits = \"16\""), "'.16' is no bit"},
+        {of_one("space = \"inputs\""), "did you mean input?"},
+        {of_one("scale = 0"), "a scale is a number above 0"},
+        {of_one("scale = \"0.1\""), "m.toml:4:9: scale is a number"},
+        {of_one("scale = nan"), "m.toml:4:9: scale is a number"},
+        {of_one("scale = -0.1"), "a scale begins with a digit"},
+        {of_one("unit = \"=V\""), "is no unit"},
+        {of_one("unit = \"min-1\""), "m.toml:4:8: 'min-1' is no unit"},
+        {of_one("unit = \"{{V\""), "is no unit"},
+        {of_one("unit = \"5V\""), "m.toml:4:8: '5V' is no unit"},
+        {of_one("unit = \".5V\""), "is no unit"},
+        {of_one("type = \"0.1V\""), "type: '0.1V' is none"},
+        {of_one("type = \"7V\""), "m.toml:1:1: a1: its type is no type, or its order no order"},
+        {of_one("order = \"u16\""), "its type is no type, or its order no order"},
+        {of_one("access = \"rw\""), "m.toml:4:10: access is \"read\" or \"write\""},
+        {of_one("access = true"), "m.toml:4:10: access is a text"},
+        {of_one("space = \"input\"\naccess = \"write\""),
+         "m.toml:5:10: input registers and discrete inputs are read only"},
+        {of_one("bits = \"3\"\naccess = \"write\""), "written as a whole"},
+        {of_one("min = 3"), "m.toml:4:7: min and max limit what is written, and this is not written"},
+        {of_one("access = \"write\"\nmin = 3\nmax = 2"), "m.toml:5:7: min is above max"},
+        {of_one("access = \"write\"\ntype = \"text8\"\nmax = 2"), "this is no number"},
+        {of_one("type = \"f32\"\n[[register]]\nname = \"b1\"\naddress = 41"),
+         "b1 has register 41, which is of a1 in line 2"},
+        {of_one("bits = \"3-5\"\n[[register]]\nname = \"b1\"\naddress = 40\nbits = \"5\""),
+         "b1 has register 40, which is of a1"},
+        {of_one("[[register]]\nname = \"A1\"\naddress = 41"), "m.toml:5:8: the name 'A1' stands in line 2, too"},
+        {of_one("name = \"a2\""), "m.toml:4:"},
+    };
+    for (row const& each : rows) {
+        INFO(each.text);
+        CHECK_THAT(refused(each.text), Catch::Matchers::Contains(std::string{each.says}));
+    }
+    CHECK(refused(of_one("[[register]]\nname = \"b1\"\nspace = \"input\"\naddress = 40")).empty());
+    CHECK_THAT(refused(of_one(std::string{"# "} + '\0')), Catch::Matchers::Contains("m.toml: a byte is zero"));
+    CHECK_THAT(refused(std::string(60'000'000, '#')),
+               Catch::Matchers::Contains("60000000 bytes; a register file has at most"));
+    CHECK_THAT(refused("a = " + std::string(100'000, '[')), Catch::Matchers::Contains("m.toml:1:"));
+}
+
+TEST_CASE("a name is no order for a shell, a topic or a spreadsheet, and looks like no place")
+{
+    for (std::string const name :
+         {"",        "=a",  "+a",   "-a",  "@a",      "1a",   "a/b",    "a+b",      "a#",       "{{a}}", "a b",
+          "a.b",     "a:b", "a*",   "a?",  "a,b",     "$(a)", "a;b",    "a`b",      "a\\u001B", "a\\nb", "\\u00E4",
+          "holding", "I",   "list", "u16", "Float32", "cdab", "text20", "ghefcdab", "hex"}) {
+        INFO(name);
+        CHECK_THAT(refused("[[register]]\nname = \"" + name + "\"\naddress = 1"),
+                   Catch::Matchers::Contains("m.toml:2:8: '"));
+    }
+    for (std::string const name : {"a1", "Voltage_L1", "e5", "face", "A"}) {
+        INFO(name);
+        CHECK(refused("[[register]]\nname = \"" + name + "\"\naddress = 1").empty());
+    }
+}

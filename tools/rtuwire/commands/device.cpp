@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Checks register files: no line is needed.
+#include <string>
+
+#include "commands/commands.hpp"
+#include "device/register_file.hpp"
+
+namespace tool {
+
+namespace {
+
+record row_of(named_place const& each)
+{
+    place bare = each.where;
+    bare.name.clear();
+    auto const limit = [](std::optional<double> const& number) { return number ? cell{*number} : cell{}; };
+    return {{"register", each.where.name},
+            {"place", text_of(bare)},
+            {"access", std::string{each.is_writable ? "read, write" : "read only"}},
+            {"lowest", limit(each.lowest)},
+            {"highest", limit(each.highest)}};
+}
+
+} // namespace
+
+exit_status run_device(choices const& chosen)
+{
+    if (chosen.words.front() != "check" or chosen.words.size() < 2) {
+        refuse_word("device checks register files: device check FILE");
+    }
+    output results{chosen.form, false};
+    for (std::size_t i = 1; i < chosen.words.size(); ++i) {
+        for (named_place const& each : register_file_at(chosen.words[i]).places) {
+            results.put(row_of(each));
+        }
+    }
+    results.finish();
+    return exit_status::done;
+}
+
+} // namespace tool

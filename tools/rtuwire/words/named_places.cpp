@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "words/named_places.hpp"
+
+#include <algorithm>
+
+namespace tool {
+
+namespace {
+
+constexpr std::size_t longest_name = 40;
+
+/// The bits of a place's first register, and how many registers it has.
+unsigned mask_of(place const& where) noexcept
+{
+    if (where.bit < 0) {
+        return 0xFFFFU;
+    }
+    unsigned const last = static_cast<unsigned>(where.last_bit < 0 ? where.bit : where.last_bit);
+    return (0xFFFFU >> (15U - last)) & (0xFFFFU << static_cast<unsigned>(where.bit));
+}
+
+unsigned size_of(place const& where) noexcept
+{
+    return where.is_single_bit() or where.bit >= 0 ? 1U : where.form.registers();
+}
+
+} // namespace
+
+bool overlap(place const& one, place const& other) noexcept
+{
+    bool const shares = one.space == other.space and one.address < other.address + size_of(other) and
+                        other.address < one.address + size_of(one);
+    return shares and (one.address != other.address or (mask_of(one) & mask_of(other)) != 0);
+}
+
+named_place const* named_places::by_name(std::string_view name) const noexcept
+{
+    auto const found =
+        std::ranges::find_if(places, [name](named_place const& each) { return is_same_word(each.where.name, name); });
+    return found == places.end() ? nullptr : &*found;
+}
+
+named_place const* named_places::overlapping(place const& where) const noexcept
+{
+    auto const found =
+        std::ranges::find_if(places, [&where](named_place const& each) { return overlap(each.where, where); });
+    return found == places.end() ? nullptr : &*found;
+}
+
+std::string why_no_name(std::string_view name)
+{
+    auto const is_letter = [](char c) { return (c >= 'a' and c <= 'z') or (c >= 'A' and c <= 'Z'); };
+    bool const is_word = not name.empty() and is_letter(name[0]) and name.size() <= longest_name and
+                         std::ranges::all_of(name, [&](char c) { return is_letter(c) or is_digit(c) or c == '_'; });
+    if (not is_word) {
+        return "a name begins with a letter and has letters, digits and _, at most 40 of them";
+    }
+    // As the first part of a place, or as a form behind one.
+    std::string const text{name};
+    bool const is_space = not read_places(text + ":1").refused or is_same_word(name, "list");
+    bool const is_form = not read_places("1:" + text).refused or not read_places("1:u64:" + text).refused;
+    return is_space or is_form ? "is a space, a type or an order of places, and no name" : std::string{};
+}
+
+} // namespace tool
