@@ -133,6 +133,7 @@ void add_places(CLI::App& command, choices& chosen, bool is_required)
 
 void add_reading(CLI::App& app, choices& chosen)
 {
+    add_command(app, chosen, "ports", "the serial ports of this system, and what their adapters say of themselves");
     CLI::App& scan = add_command(app, chosen, "scan", "find the units of a line");
     scan.add_option("--units", chosen.scan.units, "1-247 or 1,3,7-9")->capture_default_str();
     scan.add_option("--bauds", chosen.scan.bauds, "bit rates to try, such as 9600,19200")

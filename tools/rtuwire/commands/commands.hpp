@@ -29,6 +29,7 @@ exit_status run_sniff(choices const& chosen);
 exit_status run_capture(choices const& chosen);
 exit_status run_replay(choices const& chosen);
 exit_status run_timing(choices const& chosen);
+exit_status run_ports(choices const& chosen);
 exit_status run_device(choices const& chosen);
 
 } // namespace tool
