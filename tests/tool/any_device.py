@@ -351,6 +351,22 @@ def check_drive(tool, check):
     check(ended.status == DONE, "stop stops what is said to be no drive", ended)
 
 
+def check_units(tool, check):
+    """A list of units: each is read, and one that fails keeps no other from it."""
+    how = [*QUIET, "--timeout", 0.2, "--retries", 0, "-u", f"{SHORT},{SIXTEEN},99,{MODULE}"]
+    ended = tool.run(*how, "--json", "read", "0", "1")
+    found = [(each["unit"], each["register"], "value" in each) for each in ended.objects()]
+    wanted = [(unit, register, unit != 99) for unit in (SHORT, SIXTEEN, 99, MODULE) for register in ("0", "1")]
+    check(ended.status == NO_ANSWER and found == wanted, "a list of units", ended)
+    rows = tool.run(*QUIET, "-u", f"{MODULE}-{SHORT}", "read", "36").table()
+    check([row[:2] for row in rows] == [[str(MODULE), "36"], [str(SHORT), "36"]], "a range of units, for people", rows)
+    ended = tool.run(*how, "read", "RFR")
+    check(ended.status != DONE and all(f"unit {unit}" in ended.errors for unit in (SHORT, 99, MODULE)), "none is a drive", ended)
+    for word in ("62-", "70-62", "62,300"):
+        ended = tool.run(*QUIET, "-u", word, "read", "0")
+        check(ended.status == USAGE, f"{word} is no list", ended)
+
+
 def check_refusals(tool, check):
     """Refused before a frame leaves, with what to do."""
     for words, says in ((["input:40:f33"], "did you mean f32?"), (["inputs:40"], "did you mean input?"),
@@ -374,7 +390,7 @@ def main(check, program):
         addresses = ",".join(row["address"] for row in tool.run("--csv", "list", "-d", "atv320").rows())
         near_end, tool.port = others.line()
         others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@", addresses], stderr=subprocess.DEVNULL)
-        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_formulas, check_register_file,
+        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_formulas, check_register_file, check_units,
                      check_drive):
             part(tool, check)
 
@@ -382,7 +398,7 @@ def main(check, program):
 if len(sys.argv) > 1 and sys.argv[1] == "--serve":
     asyncio.run(serve(*sys.argv[2:]))
 else:
-    from support import DIFFERS, DONE, REFUSED, USAGE, Simulator, Tool, runs
+    from support import DIFFERS, DONE, NO_ANSWER, REFUSED, USAGE, Simulator, Tool, runs
 
     from pair import Programs  # noqa: I100
 

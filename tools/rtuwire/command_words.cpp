@@ -26,7 +26,9 @@ std::string why_no_number(std::string const& word)
 void add_line_options(CLI::App& app, line_choices& line)
 {
     app.add_option("-p,--port", line.port, "/dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3 or a capture file");
-    app.add_option("-u,--unit", line.unit, "the unit's address, or a name given by --name")->capture_default_str();
+    app.add_option("-u,--unit", line.unit,
+                   "the unit's address, or a name given by --name; for read and monitor a list, 2,5,10-14")
+        ->capture_default_str();
     app.add_option("-b,--baud", line.baud, "bits a second")->capture_default_str();
     app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
     app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it; none: it is no drive");
