@@ -94,6 +94,26 @@ TEST_CASE("what is written is read again, of each drive, in both forms")
     }
 }
 
+TEST_CASE("a register that an earlier version knew is left out and named, a wrong name is refused")
+{
+    auto const read = read_json(json_of(R"({"register":"AI1I","address":5222,"raw":7},
+{"register":"ACC","address":9001,"raw":30},
+{"register":"INR","address":9020,"raw":1})"));
+    REQUIRE_FALSE(read.fault);
+    CHECK((read.settings.parameters.size() == 2 and word(read, "ACC") == 30));
+    REQUIRE(read.left_out.size() == 1);
+    CHECK(read.left_out[0].place.line == 4);
+    CHECK(read.left_out[0].sentence == "AI1I, register 5222, is none that is known of an atv320: it is left out");
+    for (auto const* const wrong :
+         {R"({"register":"ACCC","address":9001,"raw":30})", R"({"register":"ACCC","raw":30})",
+          R"({"register":"ACC","address":5222,"raw":30})", R"({"register":"ACCC","address":"x","raw":30})"}) {
+        INFO(wrong);
+        auto const refused = read_json(json_of(wrong));
+        CHECK(refused.fault.has_value());
+        CHECK(refused.left_out.empty());
+    }
+}
+
 TEST_CASE("a value without its raw count is read by its step, its names and its bits")
 {
     auto const read = read_json(json_of(R"({"register":"INR","value":"001"},

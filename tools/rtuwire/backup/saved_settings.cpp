@@ -90,6 +90,12 @@ private:
     bool take_rows(bool is_stepped)
     {
         for (saved_row const& row : text_.rows) {
+            if (auto unknown = unknown_register(row)) {
+                if (not is_stepped) {
+                    found_.left_out.push_back(*std::move(unknown));
+                }
+                continue;
+            }
             register_entry const* const entry = entry_of(row);
             if (entry == nullptr) {
                 return false;
@@ -99,6 +105,22 @@ private:
             }
         }
         return true;
+    }
+
+    /// Where a row has a name and an address that are both unknown: a wrong name of a known register is refused.
+    std::optional<file_fault> unknown_register(saved_row const& row) const
+    {
+        drive_catalog const& drive = *found_.settings.drive;
+        placed_text const* const code = row.find("register");
+        placed_text const* const address = row.find("address");
+        std::optional<std::uint16_t> const number = address != nullptr ? raw_count(address->text) : std::nullopt;
+        if (code == nullptr or not number or drive.at(*number) != nullptr or drive.by_code(code->text) != nullptr or
+            drive.by_menu(code->text) != nullptr) {
+            return std::nullopt;
+        }
+        return file_fault{code->place, code->text + ", register " + std::to_string(*number) +
+                                           ", is none that is known of an " + std::string{drive.name} +
+                                           ": it is left out"};
     }
 
     register_entry const* entry_of(saved_row const& row)
@@ -214,7 +236,7 @@ std::optional<std::uint16_t> saved_settings::word_of(std::string_view code) cons
 
 settings_reading settings_in(saved_text const& text, std::string_view drive)
 {
-    return text.fault ? settings_reading{{}, text.fault} : rows_reader{text, drive}.run();
+    return text.fault ? settings_reading{.fault = text.fault} : rows_reader{text, drive}.run();
 }
 
 } // namespace tool

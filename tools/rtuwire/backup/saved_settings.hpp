@@ -38,11 +38,13 @@ struct saved_settings {
 /// A file's settings, or the first thing that is wrong in it.
 struct settings_reading {
     saved_settings settings{};
+    std::vector<file_fault> left_out{}; ///< rows of registers that this program does not know, and never writes
     std::optional<file_fault> fault{};
 };
 
 /// What the rows of a file mean. Refuses registers that the drive does not have or that stand twice, counts that no word
-/// holds, a value that contradicts its raw count. `drive` is what --drive says: it is needed where the file names none.
+/// holds, a value that contradicts its raw count. A row with the address of a register that is not known stays out: a backup
+/// of another version of this program may have read it. `drive` is what --drive says: it is needed where the file names none.
 [[nodiscard]] settings_reading settings_in(saved_text const& text, std::string_view drive);
 
 /// The word that a parameter's value stands for: 12.5 or "12,5 Hz", "SEP", "0x0237". `set_by` is what the register holds

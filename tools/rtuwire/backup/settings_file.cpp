@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cctype>
 
+#include "../support/say.hpp"
 #include "backup/drive_settings.hpp"
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -44,6 +46,9 @@ saved_settings settings_of_file(std::string const& path, std::string const& driv
     }
     if (not drive.empty() and read.settings.drive != catalog_named(drive)) {
         refuse_word(path + " is of an " + std::string{read.settings.drive->name} + ", and --drive says " + drive);
+    }
+    for (file_fault const& each : read.left_out) {
+        complain("rtuwire: %s\n", plain_text(place_text(path, each.place) + each.sentence).c_str());
     }
     return read.settings;
 }
