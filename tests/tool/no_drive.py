@@ -61,6 +61,21 @@ def check_gate(tool, check):
         with Odd(identity, code, {40: 1}) as line:
             ended, sent = written(line, "write", "coil:1=on")
             check(ended.status == DONE and len(sent) == 1, f"43 ends with {identity}, reading with {code}: is no drive", ended)
+    for reading in (1, 2, 3):
+        # A drive that starts, or hides its status, answers so, and takes the word all the same.
+        for word in ("8501=15", "8502=500", "8602=1", "400=6", "h:0x6040=6", "0x60FF=6", "8500:u32=6", "8501:f32=1"):
+            with Odd(1, reading, {int(a, 0): 0 for a in ("8501", "8502", "8602", "400", "0x6040", "0x60FF")}) as line:
+                ended, sent = written(line, "write", "40=5", word)
+                check(ended.status == REFUSED and "which this unit may be" in ended.errors and not sent,
+                      f"reading with {reading}, and no name: {word} is refused", ended)
+    with Odd({0: "Maker", 1: "PLC"}, 2, {400: 1}) as line:
+        ended, sent = written(line, "write", "400=6")
+        check(len(sent) == 1, "what says that it is none has its own registers there", ended)
+    for said in ("atv320", "atv28"):
+        with Odd({0: "Schneider Electric", 1: "ATV71HU15N4"}, None, {3201: 0x250, 3202: 0, 3105: 0, 10: 1}) as line:
+            ended = tool.run("-p", line.name, "--no-listen", "--timeout", 0.2, "--retries", 0, "-u", 7, "-d", said, "--write",
+                             "write", "LSP=10Hz")
+            check(ended.status == REFUSED and "calls itself" in ended.errors and not line.writes(), f"an ATV71 is no {said}", ended)
     for name in ("Altivar 71", "ATV71HU22", "atv 630", "VFD ATV-12", "Altistart 48", "LXM32", "ATV"):
         for identity in ({0: "Schneider Electric", 1: name}, {0: name, 1: "X"}):
             with Odd(identity, 2) as line:

@@ -74,6 +74,15 @@ std::string of_one(std::string_view lines)
     return "[[register]]\nname = \"a1\"\naddress = 40\n" + std::string{lines};
 }
 
+std::string many_registers(unsigned count)
+{
+    std::string all;
+    for (unsigned i = 0; i < count; ++i) {
+        all += "[[register]]\nname = \"r" + std::to_string(i) + "\"\naddress = " + std::to_string(i) + '\n';
+    }
+    return all;
+}
+
 } // namespace
 
 TEST_CASE("a register file's names are places")
@@ -128,6 +137,10 @@ TEST_CASE("a register file that is wrong is refused with its place and the reaso
     };
     row const rows[]{
         {"", "m.toml:1:1: it has no registers"},
+        {"[[register]]\nname = \"Time\"\naddress = 4", "m.toml:2:8: 'Time': is a column of what is shown, and no name"},
+        {"[[register]]\nname = \"error\"\naddress = 4",
+         "m.toml:2:8: 'error': is a column of what is shown, and no name"},
+        {many_registers(2'001), "2001 registers; a register file has at most 2000"},
         {"register = 5", "m.toml:1:12: it has no registers"},
         {"register = [1]", "m.toml:1:12: it has no registers"},
         {"register = []", "m.toml:1:12: it has no registers"},

@@ -58,6 +58,9 @@ public:
             if (not is_confirmed(values, before)) {
                 return exit_status::refused;
             }
+            if (not(rules_to_write(line, unit_, chosen_.allowed) == rules_)) {
+                throw ended{exit_status::refused, "another unit answers than when you were asked; nothing is written"};
+            }
             refuse_what_changed(values, checked(line));
         }
         note_signals();

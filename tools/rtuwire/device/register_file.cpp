@@ -26,6 +26,7 @@ namespace tool {
 namespace {
 
 constexpr std::size_t longest_file = 1U << 20U;
+constexpr std::size_t most_registers = 2'000;
 
 class file_reader {
 public:
@@ -51,6 +52,10 @@ public:
             list->as_array()->empty()) {
             refuse(list == nullptr ? all.source() : list->source(),
                    "it has no registers: each is a table that begins with [[register]]");
+        }
+        if (list->as_array()->size() > most_registers) {
+            refuse(list->source(), std::to_string(list->as_array()->size()) +
+                                       " registers; a register file has at most " + std::to_string(most_registers));
         }
         for (toml::node const& each : *list->as_array()) {
             add(*each.as_table());

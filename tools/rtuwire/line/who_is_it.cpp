@@ -354,11 +354,21 @@ drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::str
 
 write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed)
 {
-    if (unit.drive != no_drive) {
-        return {&catalog_of(line, unit.unit, unit.drive)};
+    std::string const number = "unit " + std::to_string(unit.unit.byte());
+    if (not unit.drive.empty() and unit.drive != no_drive) {
+        drive_catalog const& said = catalog_chosen(unit.drive);
+        identity_words says;
+        bool const is_told = read_identity(line, unit.unit, says) == errc::none;
+        if (is_told and calls_itself_drive(says) and family_of(says.product) != family_of(said.reference)) {
+            refuse_for_safety(number + " calls itself '" + says.vendor + ' ' + says.product + "', and --drive says " +
+                              std::string{said.name});
+        }
+        return {&said};
+    }
+    if (unit.drive.empty()) {
+        return {&catalog_of(line, unit.unit, {})};
     }
     identity_words const who = who_is_it(line, unit.unit);
-    std::string const number = "unit " + std::to_string(unit.unit.byte());
     if (not who.drive.empty()) {
         if (not allowed.may_run) {
             refuse_for_safety(
@@ -385,7 +395,7 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
                           std::to_string(marks.address) + " and " + std::to_string(marks.command) +
                           "; --drive none is for what is none; if it is none, say --allow-run besides");
     }
-    return {nullptr, marks.has_all ? std::optional{marks.command} : std::nullopt};
+    return {nullptr, marks.has_all ? std::optional{marks.command} : std::nullopt, not who.product.empty()};
 }
 
 } // namespace tool

@@ -48,11 +48,15 @@ drive_catalog const* catalog_or_none(std::string const& name);
 struct write_rules {
     drive_catalog const* drive{nullptr};    ///< null of one that was said to be no drive
     std::optional<std::uint16_t> command{}; ///< of one that may be a drive all the same: where it has its command word
+    bool says_it_is_none{false};            ///< by function 43 it is something else than a drive
+
+    friend bool operator==(write_rules const&, write_rules const&) = default;
 };
 
 /// Of the unit's own table, or of one that was said to be no drive and is known to be none. A drive that is said to be none
 /// is refused; with --allow-run its own table counts all the same. One that has the registers of a drive needs --allow-run,
-/// too. One that calls itself a drive, or does not tell whether it has these registers, is refused whatever is said.
+/// too. One that calls itself a drive, or does not tell whether it has these registers, is refused whatever is said; so is one
+/// that calls itself a drive of another family than the one that was said.
 write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed);
 
 /// The catalog of that name; refuses others with the nearest.

@@ -46,6 +46,14 @@ drive_catalog const* commanded_there(std::uint16_t address)
     return found == all_catalogs().end() ? nullptr : *found;
 }
 
+/// Whether a drive that numbers its registers as the objects of CiA 402 is commanded there: its control word, its mode of
+/// operation, its target torque, position, speed (vl) and velocity.
+bool is_target_of_profile(unsigned address)
+{
+    constexpr unsigned objects[]{0x6040, 0x6042, 0x6060, 0x6071, 0x607A, 0x60FF};
+    return std::ranges::find(objects, address) != std::end(objects);
+}
+
 /// What is wrong with a drive that has to be without power; nothing where nothing is.
 std::optional<ended> why_not_at_rest(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive)
 {
@@ -104,6 +112,10 @@ void refuse_command(value_to_write const& value, write_rules const& rules, choic
             refuse_for_safety("register " + std::to_string(address) +
                               " commands the motor of a drive, which this unit may be");
         }
+        if (is_target_of_profile(address) and not rules.says_it_is_none) {
+            refuse_without_run(chosen.allowed, "register " + std::to_string(address) +
+                                                   " commands the motor of a drive of CiA 402, which this unit may be");
+        }
         bool const may_be_of_another = drive != nullptr ? drive->at(address) == nullptr : rules.command.has_value();
         drive_catalog const* const other = may_be_of_another ? commanded_there(address) : nullptr;
         if (other != nullptr) {
@@ -111,6 +123,14 @@ void refuse_command(value_to_write const& value, write_rules const& rules, choic
                               (drive != nullptr ? " is none of an " + std::string{drive->name} + ", and" : "") +
                               " commands the motor of an " + std::string{other->name} +
                               ", which this unit may be: `identify` asks it");
+        }
+        // Whatever it answered about other registers, it may be one that starts, or hides these.
+        drive_catalog const* const hidden =
+            drive == nullptr and not rules.says_it_is_none ? commanded_there(address) : nullptr;
+        if (hidden != nullptr) {
+            refuse_without_run(chosen.allowed, "register " + std::to_string(address) + " commands the motor of an " +
+                                                   std::string{hidden->name} +
+                                                   ", which this unit may be: it does not say who it is");
         }
     }
 }

@@ -56,6 +56,12 @@ std::string why_no_name(std::string_view name)
     if (not is_word) {
         return "a name begins with a letter and has letters, digits and _, at most 40 of them";
     }
+    // `watch` has these beside the names of registers.
+    for (std::string_view const column : {"time", "seconds", "unit", "error"}) {
+        if (is_same_word(name, column)) {
+            return "is a column of what is shown, and no name";
+        }
+    }
     // As the first part of a place, or as a form behind one.
     std::string const text{name};
     bool const is_space = not read_places(text + ":1").refused or is_same_word(name, "list");
