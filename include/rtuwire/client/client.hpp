@@ -449,8 +449,8 @@ private:
         }
     }
 
-    /// The outcome of the request. A missing response is noted, whatever becomes of the asker (but see `give_up`): a request
-    /// that is not waited for has also fed its unit's watchdog.
+    /// The outcome of the request. A missing response is noted, whatever becomes of the asker: a request that is
+    /// not waited for has also fed its unit's watchdog.
     constexpr result<response> take_and_note_outcome(instant now) noexcept
     {
         orders_.note_outcome(asked_unit(), transaction().heard_of_unit(), transaction().was_repeated(), now);

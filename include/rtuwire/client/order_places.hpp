@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Where a client keeps what it knows of the units whose motors it commands (ask/unit_order.hpp), and of a stop of all of them.
-// Apart from client/orders.hpp, which says what follows from it.
+// A file beside client/orders.hpp, which says what follows from it.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Which conversation asked last, and which may ask next: stops first, and others in the order in which they visit (`converse` is called for
-// them), beginning after the one that was served last. Knows a conversation by the number that it holds; compares no
+// Which conversation asked last, and which may ask next: stops first, and others in the order in which they visit
+// (`converse` is called for them), beginning after the one that was served last. Knows a conversation by the number that it holds; compares no
 // addresses, so that a conversation may be destroyed, moved, or made anew in the same place. So may a client (`emplace` of
 // an optional, a local object of a function that is called again), which its conversations may outlive: each counts from
 // another number.

@@ -289,10 +289,10 @@ private:
 
 /// A conversation without an end: give it to a client or a bus in each pass. Where the drive's time-out has passed since the
 /// last request of it that was answered, as in a program that was not scheduled, the drive is lost, whatever its reaction to
-/// a lost link is (SLL) and whatever risk was accepted: the order is gone, and the stop command goes first. Where the drive's cycle
-/// uses its scanner, the slots of its words must be as delivered, or set so by `configure_scanner`, and no further
-/// output slot may be active unless `set_output` was called for it. Before the first exchange, after each loss, and after each conversation of this client that could
-/// have changed them, it reads the scanner's addresses and the drive's safeguards, some twelve requests; where they
+/// a lost link is (SLL) and whatever risk was accepted: the order is gone, and the stop command goes first. Where the drive's
+/// cycle uses its scanner, the slots of its words must be as delivered, or set so by `configure_scanner`, and no further
+/// output slot may be active unless `set_output` was called for it. Before the first exchange, after each loss, and after
+/// each conversation of this client that could have changed them, it reads the scanner's addresses and the drive's safeguards, some twelve requests; where they
 /// are wrong it writes nothing but the stop command to a motor it ordered to run, and `control().reason()` gives the
 /// cause. Without an order it stops a motor that it finds running, whoever runs it: `watch` only reads.
 template <device_type Device> class cyclic : public detail::commander {

@@ -388,8 +388,8 @@ public:
     /// Whether a halt was ordered, and is under way.
     [[nodiscard]] constexpr bool is_halting() const noexcept { return stop_.is_halting(sight_); }
 
-    /// What a read found of the motor's power, whether it found the drive newly in fault, and whether a stop that was ordered here has
-    /// ended; each reported once.
+    /// What a read found of the motor's power, whether it found the drive newly in fault, and whether a stop that was ordered
+    /// here has ended; each reported once.
     constexpr detail::power_seen take_power() noexcept { return sight_.take_power(); }
     constexpr bool take_fault() noexcept { return sight_.take_fault(); }
     constexpr bool take_end_of_stop() noexcept { return stop_.take_end(); }

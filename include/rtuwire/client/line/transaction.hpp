@@ -56,7 +56,7 @@ template <auto const& Needs> class transaction {
     using Line = typename told_by<Needs>::line;
     using Functions = typename told_by<Needs>::functions;
     using place = frame_place<Needs.request_room, Needs.longest_frame>;
-    using cutter = framer_state<direction::response, place, Line, Functions>;
+    using response_framer = framer_state<direction::response, place, Line, Functions>;
 
 public:
     explicit constexpr transaction(line_timing const& its_timing, client_options const& its_options = {}) noexcept
@@ -670,7 +670,7 @@ private:
     // All zero at the start. In front of the frame, members of one byte that are used often first: small processors reach
     // what is near with short instructions, on a Cortex-M0+ a byte in the first 32 bytes. Members of classes have no `{}`,
     // for which GCC would first make zeros by a call of memset (docs/size-notes.md). No byte is left between the members.
-    [[no_unique_address]] cutter framer_; ///< cuts the response out of the bytes that arrive
+    [[no_unique_address]] response_framer framer_; ///< cuts the response out of the bytes that arrive
     kept_phase phase_{client_phase::idle};
     errc error_{errc::none};
     bool is_woken_{false};     ///< the next pass has something to do at once
@@ -683,7 +683,7 @@ private:
     [[no_unique_address]] quarantine<Needs.quarantine_places> quarantine_{};
     [[no_unique_address]] Options options_{};
     [[no_unique_address]] Observer observer_{};
-    typename cutter::memory memory_; ///< its line; the request, and behind it its response
+    typename response_framer::memory memory_; ///< its line; the request, and behind it its response
 };
 
 } // namespace detail
