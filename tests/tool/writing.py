@@ -80,32 +80,37 @@ REGISTERS = {3201: 0x0250, 3104: 500, 3105: 0, 9001: 30, 9020: 1, 8401: 1, 3202:
 
 
 class Interrupting(Units):
-    """Presses Ctrl-C where the second write has come, before it answers that."""
+    """Sends a signal, that of Ctrl-C or another, where the second write has come, before it answers that."""
 
-    def __init__(self, units):
-        self.waiting_for, self.writes = queue.Queue(), 0
+    def __init__(self, units, number):
+        self.waiting_for, self.writes, self.number = queue.Queue(), 0, number
         super().__init__(units)
 
     def answer(self, request):
         self.writes += request[1] == 6
         if request[1] == 6 and self.writes == 2:
-            self.waiting_for.get().send_signal(signal.SIGINT)
+            self.waiting_for.get().send_signal(self.number)
         return super().answer(request)
 
 
-def check_interrupt(tool, check):
-    """Ctrl-C between two values: what was begun is ended, told and noted."""
-    with Interrupting({7: dict(REGISTERS)}) as line:
+def check_interrupt(tool, check, number):
+    """A signal between two values, as Ctrl-C is: what was begun is ended, told and noted."""
+    with Interrupting({7: dict(REGISTERS)}, number) as line:
         process = tool.start("--port", line.name, "-u", "7", "--no-listen", "-d", "atv320", "--write", "--json", "write",
                              "HSP=49Hz", "HSP=48Hz", "LSP=1Hz", "HSP=47Hz")
         line.waiting_for.put(process)
         output, errors = process.communicate(timeout=LIMIT)
         errors_of = [row.get("error") for row in map(json.loads, output.splitlines())]
-        check(process.returncode == 130, "Ctrl-C: its status is that of the signal", (process.returncode, output, errors))
+        check(process.returncode == 128 + number, f"{number}: its status is that of the signal", (process.returncode, output, errors))
         check(errors_of == [None, None, "not tried", "not tried"], "what was begun is told, and the rest is not begun", output)
         check(line.units[7][3104] == 480 and line.units[7][3105] == 0, "which is so", line.units[7])
         log = (tool.place / "state" / "rtuwire" / "writes.log").read_text()
         check("48.0 Hz" in log.splitlines()[-1], "and noted", log)
+
+
+def check_interrupts(tool, check):
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGUSR1):
+        check_interrupt(tool, check, number)
 
 
 def check_refusals(tool, check):
@@ -252,6 +257,20 @@ def check_full_disk(tool, check):
             check(process.returncode == PORT and is_told and held == (13, 500), f"a write into a full disk {form}", (errors, held))
 
 
+def check_no_reader(tool, check):
+    """What was written is told, though nobody reads the output."""
+    with Units({7: dict(REGISTERS)}) as line:
+        reading, writing = os.pipe()
+        os.close(reading)
+        process = tool.start("--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write", "write", "ACC=1.3s",
+                             "HSP=49Hz", stdout=writing)
+        os.close(writing)
+        _, errors = process.communicate(timeout=LIMIT)
+        is_told = "standard output" in errors and "ACC: 3.0 s -> 1.3 s; what stands behind it was not tried" in errors
+        held = (line.units[7][9001], line.units[7][3104])
+        check(process.returncode == PORT and is_told and held == (13, 500), "a write that nobody reads", (errors, held))
+
+
 def check_log(tool, check):
     """The log is a regular file, or nothing is written: a pipe would keep the program waiting."""
     folder = tool.place / "state" / "rtuwire"
@@ -325,8 +344,8 @@ def check_question(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_refusals, check_together, check_write, check_interrupt, check_results, check_permissions, check_full_disk, check_log, check_terminal,
-                     check_question):
+        for part in (check_refusals, check_together, check_write, check_interrupts, check_results, check_permissions, check_full_disk,
+                     check_no_reader, check_log, check_terminal, check_question):
             part(tool, check)
 
 

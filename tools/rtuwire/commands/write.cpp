@@ -41,7 +41,9 @@ class writing {
 public:
     explicit writing(choices const& chosen)
         : chosen_{chosen}, unit_{unit_to_change(chosen)}, results_{chosen.form, true}
-    {}
+    {
+        results_.need_reader();
+    }
 
     exit_status run()
     {

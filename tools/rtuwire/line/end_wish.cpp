@@ -21,7 +21,7 @@ extern "C" void note(int number)
 
 void note_signals()
 {
-    for (int const each : {SIGINT, SIGTERM, SIGHUP}) {
+    for (int const each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM}) {
         struct sigaction before {};
         // What was ignored when the program began stays so: `nohup` means it.
         if (sigaction(each, nullptr, &before) == 0 and before.sa_handler == SIG_DFL) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Whether somebody has asked the program to end: INT, TERM, HUP. A command looks between two requests.
+// Whether somebody has asked the program to end: INT, TERM, HUP, QUIT, and what else ends it by itself. A command looks between two requests.
 #pragma once
 
 namespace tool {

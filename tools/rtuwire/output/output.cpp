@@ -53,7 +53,7 @@ void output::write(std::string const& text)
     if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() and std::fflush(stdout) == 0) {
         return;
     }
-    if (errno != EPIPE) {
+    if (errno != EPIPE or needs_reader_) {
         throw ended{exit_status::port, std::string{"standard output: "} + std::strerror(errno)};
     }
     is_open_ = false;

@@ -40,6 +40,9 @@ class output {
 public:
     output(output_form how, bool is_stream);
 
+    /// From here on a reader that went away ends the command, too: what changes a unit is to be told.
+    void need_reader() noexcept { needs_reader_ = true; }
+
     /// `is_bad`: in red, in a table on a terminal.
     void put(record const& line, bool is_bad = false);
     /// Shows what has waited.
@@ -53,6 +56,7 @@ private:
     std::unique_ptr<form> form_;
     bool has_colours_;
     bool is_open_{true};
+    bool needs_reader_{false};
 };
 
 } // namespace tool

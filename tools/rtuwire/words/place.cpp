@@ -333,8 +333,14 @@ private:
         }
         std::size_t const sign = rest.find_first_of("+-");
         std::string_view const unit = rest.substr(0, sign);
-        bool const is_unit =
-            unit.size() <= longest_unit and std::ranges::all_of(unit, is_of_unit) and (unit.empty() or unit[0] != '.');
+        bool const has_power = not unit.empty() and (unit[0] == 'e' or unit[0] == 'E') and
+                               (unit.size() == 1 ? sign != rest.npos : is_digit(unit[1]));
+        if (has_power) { // "1e3V" is no unit "e3V"
+            return refuse("wrong_form",
+                          '\'' + std::string{how} + "': a scale is written without a power of ten: 1000V, 0.001V");
+        }
+        bool const is_unit = unit.size() <= longest_unit and std::ranges::all_of(unit, is_of_unit) and
+                             (unit.empty() or (unit[0] != '.' and unit[0] != '/'));
         if (not is_unit) {
             return refuse("wrong_form", '\'' + std::string{how} + "': '" + std::string{unit} +
                                             "' is no unit, which has at most 16 letters, digits and % / ^ _ .");
