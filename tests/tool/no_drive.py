@@ -76,6 +76,9 @@ def check_gate(tool, check):
             ended = tool.run("-p", line.name, "--no-listen", "--timeout", 0.2, "--retries", 0, "-u", 7, "-d", said, "--write",
                              "write", "LSP=10Hz")
             check(ended.status == REFUSED and "calls itself" in ended.errors and not line.writes(), f"an ATV71 is no {said}", ended)
+            ended = tool.run("-p", line.name, "--no-listen", "--timeout", 0.2, "--retries", 0, "-u", 7, "-d", said, "backup", "-o",
+                             "other.json")
+            check(ended.status == USAGE and "is 'ATV71HU15N4', and --drive" in ended.errors, f"nor is its backup one of {said}", ended)
     for name in ("Altivar 71", "ATV71HU22", "atv 630", "VFD ATV-12", "Altistart 48", "LXM32", "ATV"):
         for identity in ({0: "Schneider Electric", 1: name}, {0: name, 1: "X"}):
             with Odd(identity, 2) as line:

@@ -83,7 +83,8 @@ void read_all(open_line& line, rtuwire::unit_id unit, saved_settings& to)
 void refuse_another_drive(identity_words const& who, drive_catalog const& drive, rtuwire::unit_id unit)
 {
     if (is_of_another_family(who, drive)) {
-        std::string const it = who.product.empty() ? "an " + who.drive : '\'' + who.product + '\'';
+        std::string const it =
+            not who.product.empty() ? '\'' + who.product + '\'' : "an " + (who.drive.empty() ? who.vendor : who.drive);
         refuse_word("unit " + std::to_string(unit.byte()) + " is " + it + ", and --drive or --name calls it " +
                     std::string{drive.name} + "; nothing is kept");
     }

@@ -309,7 +309,7 @@ bool is_of_another_family(identity_words const& who, drive_catalog const& drive)
 {
     drive_catalog const* const known = who.drive.empty() ? nullptr : catalog_named(who.drive);
     candidates const found = known != nullptr ? candidates{known} : of_family(who.product);
-    return not found.empty() and family_of(found.front()->reference) != family_of(drive.reference);
+    return found.empty() ? calls_itself_drive(who) : family_of(found.front()->reference) != family_of(drive.reference);
 }
 
 drive_catalog const& catalog_chosen(std::string const& name)
@@ -358,8 +358,7 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
     if (not unit.drive.empty() and unit.drive != no_drive) {
         drive_catalog const& said = catalog_chosen(unit.drive);
         identity_words says;
-        bool const is_told = read_identity(line, unit.unit, says) == errc::none;
-        if (is_told and calls_itself_drive(says) and family_of(says.product) != family_of(said.reference)) {
+        if (read_identity(line, unit.unit, says) == errc::none and is_of_another_family(says, said)) {
             refuse_for_safety(number + " calls itself '" + says.vendor + ' ' + says.product + "', and --drive says " +
                               std::string{said.name});
         }

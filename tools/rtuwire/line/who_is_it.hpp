@@ -31,8 +31,8 @@ struct identity_words {
 /// It writes nothing.
 identity_words who_is_it(open_line& line, rtuwire::unit_id unit);
 
-/// Whether a unit is known to be of another family than this drive. False where nothing is known of it, and between revisions
-/// of one family, which somebody may know better.
+/// Whether a unit is known to be of another family than this drive, or calls itself a drive of a family without a table. False
+/// where nothing is known of it, and between revisions of one family, which somebody may know better.
 [[nodiscard]] bool is_of_another_family(identity_words const& who, drive_catalog const& drive);
 
 /// The catalog of the unit: the one that was chosen, else that of the drive that it is. Ends where it is none.

@@ -116,21 +116,20 @@ void refuse_command(value_to_write const& value, write_rules const& rules, choic
             refuse_without_run(chosen.allowed, "register " + std::to_string(address) +
                                                    " commands the motor of a drive of CiA 402, which this unit may be");
         }
-        bool const may_be_of_another = drive != nullptr ? drive->at(address) == nullptr : rules.command.has_value();
-        drive_catalog const* const other = may_be_of_another ? commanded_there(address) : nullptr;
-        if (other != nullptr) {
-            refuse_for_safety("register " + std::to_string(address) +
-                              (drive != nullptr ? " is none of an " + std::string{drive->name} + ", and" : "") +
-                              " commands the motor of an " + std::string{other->name} +
-                              ", which this unit may be: `identify` asks it");
+        drive_catalog const* const other =
+            drive == nullptr or drive->at(address) == nullptr ? commanded_there(address) : nullptr;
+        if (other == nullptr) {
+            continue;
         }
-        // Whatever it answered about other registers, it may be one that starts, or hides these.
-        drive_catalog const* const hidden =
-            drive == nullptr and not rules.says_it_is_none ? commanded_there(address) : nullptr;
-        if (hidden != nullptr) {
-            refuse_without_run(chosen.allowed, "register " + std::to_string(address) + " commands the motor of an " +
-                                                   std::string{hidden->name} +
-                                                   ", which this unit may be: it does not say who it is");
+        std::string const what = " commands the motor of an " + std::string{other->name} + ", which this unit may be: ";
+        if (drive != nullptr or rules.command) {
+            refuse_for_safety("register " + std::to_string(address) +
+                              (drive != nullptr ? " is none of an " + std::string{drive->name} + ", and" : "") + what +
+                              "`identify` asks it");
+        }
+        if (not rules.says_it_is_none) { // one that starts, or hides its registers, answers as if it had none
+            refuse_without_run(chosen.allowed,
+                               "register " + std::to_string(address) + what + "it does not say who it is");
         }
     }
 }
