@@ -158,6 +158,15 @@ template <typename T> [[nodiscard]] constexpr bool takes_its_cycle() noexcept
 template <typename T>
 concept cycle_fits_its_function = not has_all_parts<T> or takes_its_cycle<T>();
 
+/// Whether each of its rows, where it has any, says what the drive says of its register: see parameters/row_demands.hpp.
+/// Internal.
+template <typename T>
+concept rows_have_their_roles = not has_all_parts<T> or not requires
+{
+    T::registers::address_without_role();
+}
+or T::registers::address_without_role() == 0;
+
 /// A device that is a drive. Where one is not, `drive_check` says in words what is missing.
 template <typename T>
 concept drive_type = has_all_parts<T> and has_control_word<T> and has_status_word<T> and has_last_fault<T> and
@@ -198,6 +207,11 @@ template <typename T> struct drive_check {
     static_assert(cycle_fits_the_scanner<T>, "a cycle moves more words than the drive's scanner has");
     static_assert(cycle_fits_its_function<T>, "a cycle moves its words by function 23 or 16, which the drive has and "
                                               "whose limits they keep");
+
+    static_assert(rows_have_their_roles<T>,
+                  "a row at a register that commands the drive, tells its state or safeguards "
+                  "it lacks the role of that, and would be restored as a setting: &commands, "
+                  "&setpoint, &link_loss ...");
 
     static constexpr bool passed = drive_type<T>;
     static constexpr drive_layout const& layout = T::layout;

@@ -125,7 +125,7 @@ enum class restore_outcome : std::uint8_t {
     other_steps,       ///< never sent: it would count in other steps than the configuration does, or make others do so
     not_wanted,        ///< the configuration has no word for it
     out_of_limits,     ///< never sent: the wanted word is none of this register, or LSP <= HSP <= TFR would not hold
-    never_written,     ///< it is no setting: see `role_of` and `why`
+    never_written,     ///< it is no setting: see `role_of` and `why`; or its row does not say what the drive does
     needs_channels,    ///< left out: `with_channels` was not given
     needs_link,        ///< left out: `with_link` was not given
     needs_inferred,    ///< left out: `with_inferred` was not given

@@ -15,6 +15,7 @@
 #include <rtuwire/altivar/maintenance/restore_agenda.hpp>
 #include <rtuwire/altivar/maintenance/restore_options.hpp>
 #include <rtuwire/altivar/parameters/parameter.hpp>
+#include <rtuwire/altivar/parameters/row_demands.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
@@ -202,7 +203,7 @@ private:
 };
 
 /// The parameters of one restore, under the step that its progress has come to.
-template <typename Words, typename Report> class restore_plan {
+template <typename Device, typename Words, typename Report> class restore_plan {
 public:
     constexpr restore_plan(parameter_map const& its_map, wanted_settings<Words> const& wanted, Report its_report,
                            restore_options const& its_options) noexcept
@@ -337,7 +338,12 @@ private:
     /// What is known of a parameter before the drive is asked.
     [[nodiscard]] constexpr restore_outcome judgement(parameter const& row) noexcept
     {
-        return judged(options_, row, words_(row));
+        return judgement(row, words_(row));
+    }
+    [[nodiscard]] constexpr restore_outcome judgement(parameter const& row,
+                                                      std::optional<std::uint16_t> word) const noexcept
+    {
+        return agrees_with_drive<Device>(row) ? judged(options_, row, word) : restore_outcome::never_written;
     }
 
     /// The word that is wanted of a parameter that has one.
@@ -370,7 +376,7 @@ private:
     constexpr std::optional<std::uint16_t> word_to_send(placed_row const& which, std::uint16_t held) noexcept
     {
         std::optional<std::uint16_t> const word = words_(*which.row);
-        restore_outcome const found = judged(options_, *which.row, word);
+        restore_outcome const found = judgement(*which.row, word);
         if (found == restore_outcome::planned) {
             return word;
         }

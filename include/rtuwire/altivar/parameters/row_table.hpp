@@ -13,6 +13,7 @@
 #include <utility>
 
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
+#include <rtuwire/altivar/parameters/row_demands.hpp>
 #include <rtuwire/altivar/parameters/units.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
@@ -149,6 +150,19 @@ public:
     {
         std::size_t const place = by_code.find(code);
         return place == size or Driving::has_address(rows[place]->address) ? size : place;
+    }
+
+    /// The address of a row that does not say of itself what `Drive` says of its register; 0: there is none.
+    /// Internal.
+    template <typename Drive = Device> [[nodiscard]] static constexpr std::uint16_t address_without_role() noexcept
+    {
+        for (row_demand const& each : row_demands<Drive>) {
+            std::size_t const place = each.address == 0 ? size : by_address.find(each.address);
+            if (place != size and not each.is_met_by(role_of(*rows[place]))) {
+                return each.address;
+            }
+        }
+        return 0;
     }
 
     /// Internal.

@@ -14,6 +14,7 @@
 #include <rtuwire/altivar/atv12_parameters.hpp>
 #include <rtuwire/altivar/atv310_parameters.hpp>
 #include <rtuwire/altivar/atv320_parameters.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/maintenance/restore_agenda.hpp>
 
 using namespace rtuwire;
@@ -103,4 +104,12 @@ TEST_CASE("what a drive's layout names as its safeguards is no ordinary setting"
     check(atv12::parameters, atv12::device::layout);
     check(atv310::parameters, atv310::device::layout);
     check(atv320::parameters, atv320::device::layout);
+}
+
+TEST_CASE("no row of a drive is left out of a restore for want of a role")
+{
+    CHECK(drive_check<atv12::full_device>::passed);
+    CHECK(drive_check<atv310::full_device>::passed);
+    CHECK(drive_check<atv310::full_device_2014>::passed);
+    CHECK(drive_check<atv320::full_device>::passed);
 }

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What the description of a drive says of its registers by itself, whatever their rows say: some are never a setting (its
+// command, its references, the words that its scanner passes on), others never an ordinary one (its safeguards). A row that
+// forgets its role would be restored, and the motor would turn.
+// Internal: may change with any version.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/altivar/device/cycle_registers.hpp>
+#include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/parameters/parameter.hpp>
+#include <rtuwire/altivar/parameters/parameter_role.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+namespace altivar {
+
+/// What the row at an address has to be. Address 0: the drive has no such register.
+struct row_demand {
+    std::uint16_t address{0};
+    bool is_no_setting{true}; ///< never restored; otherwise not without an option that names it
+
+    [[nodiscard]] constexpr bool is_met_by(parameter_role role) const noexcept
+    {
+        return not is_restorable(role) or (not is_no_setting and not needs_no_option(role));
+    }
+};
+
+/// The demands of a drive.
+template <typename Device>
+inline constexpr auto row_demands = [] {
+    constexpr drive_layout layout = Device::layout;
+    constexpr safeguard_layout own = layout.safeguards;
+    constexpr cycle_addresses writes = Device::cycle.writes;
+    constexpr scanner_registers scanner = Device::scanner;
+    constexpr std::uint16_t words[]{layout.cmd,
+                                    layout.cmi,
+                                    layout.other_cmd,
+                                    layout.eta,
+                                    layout.eti,
+                                    layout.lft,
+                                    layout.rfr,
+                                    own.inputs,
+                                    Device::speed_reference.address,
+                                    Device::frequency_reference.address};
+    constexpr std::uint16_t safeguards[]{own.sll, own.tto, own.chcf, own.cd1, own.fr1, own.flo, own.atr, own.tcc};
+    std::array<row_demand, std::size(words) + std::size(safeguards) + writes.size() + 2U * scanner.words> all{};
+    std::size_t next = 0;
+    for (std::uint16_t const each : words) {
+        all[next++] = {each};
+    }
+    for (std::size_t i = 0; i < writes.size(); ++i) {
+        all[next++] = {writes[i]};
+    }
+    for (std::uint16_t const each : safeguards) {
+        all[next++] = {each, false};
+    }
+    for (std::size_t i = 0; i < scanner.words; ++i) {
+        all[next++] = {static_cast<std::uint16_t>(scanner.output_words + i)};
+        all[next++] = {static_cast<std::uint16_t>(scanner.output_addresses + i), false};
+    }
+    return all;
+}();
+
+/// Whether a row says of itself what the description of its drive says of its register.
+template <typename Device> [[nodiscard]] constexpr bool agrees_with_drive(parameter const& row) noexcept
+{
+    bool agrees = true;
+    for (row_demand const& each : row_demands<Device>) {
+        agrees = agrees and (each.address == 0 or each.address != row.address or each.is_met_by(role_of(row)));
+    }
+    return agrees;
+}
+
+} // namespace altivar
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire
