@@ -174,6 +174,13 @@ void add_writing(CLI::App& app, choices& chosen)
     add_to_footer(write,
                   "A place of any device, written by function 05, 06 or 16; #2301 is a count without its scale:\n" +
                       places_text());
+    CLI::App& ask = add_command(app, chosen, "ask", "send any function, and show both frames");
+    add_operands(ask, chosen, "FC HEX",
+                 "the function and its data, in hexadecimal, without unit and CRC: 03 0C820001, 2B 0E 01 00, 11", true);
+    add_to_footer(
+        ask, "Free are 01 to 04, 07, 08 with sub-function 0, 0B, 0C, 11, 14, 18, 2B 0E. All others need --write, and\n"
+             "are checked as a write of the same is; a unit that does not say by 2B 0E that it is no drive takes\n"
+             "them with --allow-run besides. -u 0 sends to all units what writes; nobody answers.");
     CLI::App& start = add_command(app, chosen, "start", "run a motor until somebody ends this program (--allow-run)");
     auto* const speed =
         start.add_option("--speed", chosen.motion.speed,

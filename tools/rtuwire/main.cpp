@@ -26,7 +26,7 @@ constexpr command commands[] = {
     {"sniff", run_sniff},       {"capture", run_capture},   {"replay", run_replay}, {"timing", run_timing},
     {"simulate", run_simulate}, {"monitor", run_monitor},   {"decode", run_decode}, {"start", run_start},
     {"stop", run_stop},         {"reset", run_reset},       {"backup", run_backup}, {"compare", run_compare},
-    {"restore", run_restore},   {"device", run_device},     {"ports", run_ports},
+    {"restore", run_restore},   {"device", run_device},     {"ports", run_ports},   {"ask", run_ask},
 };
 
 exit_status run(choices const& chosen)

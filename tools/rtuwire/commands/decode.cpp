@@ -7,61 +7,14 @@
 
 #include "commands/commands.hpp"
 #include "frame/decode.hpp"
+#include "frame/frame_printer.hpp"
 #include "frame/hex_lines.hpp"
-#include "frame/hex_text.hpp"
 #include "line/played_capture.hpp"
 #include "line/who_is_it.hpp"
 
 namespace tool {
 
 namespace {
-
-/// Shows frames, a row a field. A table for people leaves out what is as in the row above.
-class frame_printer {
-public:
-    explicit frame_printer(output_form form) : is_table_{form == output_form::table}, results_{form, false} {}
-
-    /// `numbers` is how its bytes are written, where that is to be said.
-    void put(decoded_frame const& frame, std::string const& numbers)
-    {
-        ++number_;
-        for (frame_reading const& reading : frame.readings) {
-            is_first_ = true;
-            if (not numbers.empty()) {
-                put(frame, reading, {0, frame.bytes.size(), "numbers", numbers});
-            }
-            for (frame_field const& each : reading.fields) {
-                put(frame, reading, each);
-            }
-            if (not reading.flaw.empty()) {
-                put(frame, reading, {0, 0, "flaw", reading.flaw});
-            }
-        }
-    }
-    /// Shows what has waited: a run of frames in columns as wide as they need.
-    void finish_run() { results_.finish(); }
-
-    bool is_open() const { return results_.is_open(); }
-
-private:
-    void put(decoded_frame const& frame, frame_reading const& reading, frame_field const& each)
-    {
-        bool const is_flaw = each.length == 0;
-        record row;
-        row.add("frame", is_table_ and not is_first_ ? cell{std::string{}} : cell{number_});
-        row.add("as", is_table_ and not is_first_ ? std::string{} : reading.as);
-        row.add("at", is_flaw ? cell{} : cell{static_cast<std::int64_t>(frame.offset + each.offset)});
-        row.add("bytes", hex_of(rtuwire::byte_view{frame.bytes}.subspan(each.offset, each.length)));
-        row.add("field", each.name).add("value", each.value);
-        results_.put(row);
-        is_first_ = false;
-    }
-
-    bool is_table_;
-    output results_;
-    std::int64_t number_{0};
-    bool is_first_{true};
-};
 
 std::string joined(std::vector<std::string> const& words)
 {
@@ -95,7 +48,7 @@ public:
     {
         has_bytes_ = true;
         for (decoded_frame const& frame : decoder_.decode(run)) {
-            printer_.put(frame, numbers);
+            printer_.put(frame, numbers.empty() ? std::string{} : "numbers", numbers);
             status_ = frame.is_good() ? status_ : exit_status::differs;
         }
         printer_.finish_run();

@@ -16,6 +16,7 @@
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
+#include "motion/checked_values.hpp"
 #include "motion/moving_registers.hpp"
 #include "motion/question.hpp"
 #include "motion/unsafe_write.hpp"
@@ -81,6 +82,11 @@ public:
     }
 
 private:
+    std::vector<value_to_write> checked(open_line& line) const
+    {
+        return checked_values(chosen_.words, line, unit_, rules_, chosen_);
+    }
+
     /// Of a unit that was said to be no drive, a number is an address; where it is or may be one, it may mean another register.
     void refuse_menu_number() const
     {
@@ -92,57 +98,6 @@ private:
             if (has_two_meanings and not number.empty() and is_of_menu) {
                 refuse_word(ambiguity_of(number));
             }
-        }
-    }
-
-    /// All values, with the registers that limit them read first. Each is checked with what the ones before it will
-    /// have written.
-    std::vector<value_to_write> checked(open_line& line)
-    {
-        register_reader limits{registers_that_limit(), rules_.drive};
-        limits.read(line, unit_.unit);
-        std::vector<value_to_write> values;
-        known_words const known = [&](std::string_view code) -> std::optional<std::uint16_t> {
-            auto const written = std::find_if(values.rbegin(), values.rend(), [code](value_to_write const& each) {
-                return each.entry != nullptr and each.entry->code == code;
-            });
-            return written != values.rend() ? std::optional{written->words[0]} : limits.known()(code);
-        };
-        for (std::string const& word : chosen_.words) {
-            value_to_write value = check_value(word, {rules_.drive, unit_.names}, known);
-            refuse_if_wrong(value);
-            if (not value.is_ready()) {
-                throw ended{status_of(limits.first_error()),
-                            "'" + word + "' is limited by " + std::string{value.needed.front()->code} +
-                                ", which could not be read: " + limits.first_failure()};
-            }
-            values.push_back(value);
-        }
-        return values;
-    }
-
-    /// Refuses what needs no request to be refused.
-    std::vector<chosen_register> registers_that_limit() const
-    {
-        std::vector<chosen_register> needed;
-        for (std::string const& word : chosen_.words) {
-            value_to_write const value = check_value(word, {rules_.drive, unit_.names});
-            refuse_if_wrong(value);
-            for (register_entry const* const each : value.needed) {
-                needed.push_back({{each->address}, each});
-            }
-        }
-        return needed;
-    }
-
-    void refuse_if_wrong(value_to_write const& value) const
-    {
-        refuse_command(value, rules_, chosen_);
-        if (value.refused) {
-            refuse(*value.refused);
-        }
-        if (rules_.drive != nullptr) {
-            refuse_unsafe_write(value, *rules_.drive, chosen_);
         }
     }
 

@@ -167,4 +167,15 @@ std::vector<decoded_frame> frame_decoder::decode(byte_view run)
     return frames;
 }
 
+decoded_frame frame_decoder::decode_as(byte_view frame, frame_role role)
+{
+    decoded_frame known = explain(frame, {0, frame.size()});
+    std::string const as = word_for(role);
+    if (std::ranges::count(known.readings, as, &frame_reading::as) > 0) {
+        std::erase_if(known.readings, [&as](frame_reading const& each) { return each.as != as; });
+    }
+    known.readings.front().as = as;
+    return known;
+}
+
 } // namespace tool

@@ -45,6 +45,8 @@ public:
     /// All frames of a run, one after the other. The response that follows its request is known as that, and the
     /// addresses of its registers with it.
     [[nodiscard]] std::vector<decoded_frame> decode(rtuwire::byte_view run);
+    /// One frame of which it is known what it is, right or not.
+    [[nodiscard]] decoded_frame decode_as(rtuwire::byte_view frame, rtuwire::frame_role role);
 
 private:
     /// What the last frame asked for, by a request that reads.

@@ -19,6 +19,7 @@ constexpr std::pair<std::string_view, std::string_view> examples[] = {
     {"explain", "rtuwire explain ACC --drive atv320"},
     {"faults", "rtuwire -p /dev/ttyUSB0 -u 7 faults"},
     {"write", "rtuwire -p /dev/ttyUSB0 -u 7 --write write ACC=1.3s"},
+    {"ask", "rtuwire -p /dev/ttyUSB0 -u 7 ask 03 0C820001"},
     {"backup", "rtuwire -p /dev/ttyUSB0 -u 7 backup -o fan.json"},
     {"compare", "rtuwire -p /dev/ttyUSB0 -u 7 compare fan.json"},
     {"restore", "rtuwire -p /dev/ttyUSB0 -u 7 --write restore fan.json --dry-run"},

@@ -100,6 +100,12 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
     return text + ": " + hex_of(refused->bytes);
 }
 
+rtuwire::byte_view open_line::refused() const
+{
+    auto const refused = client_.refused();
+    return refused ? rtuwire::byte_view{refused->bytes} : rtuwire::byte_view{};
+}
+
 exit_status status_of(rtuwire::errc why)
 {
     using rtuwire::errc;

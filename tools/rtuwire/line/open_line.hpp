@@ -52,6 +52,8 @@ public:
     /// Why the last request failed, with the frame that was refused: "right CRC, wrong length: the unit departs from the
     /// function's format: 6 bytes came, 5 are due: 01 83 02 00 F1 50".
     std::string words_of_failure(rtuwire::errc why) const;
+    /// That frame; empty where there is none.
+    rtuwire::byte_view refused() const;
 
 private:
     any_port port_;

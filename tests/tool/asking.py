@@ -1,0 +1,260 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""`ask`: any function, sent to units that nobody here wrote (pymodbus, libmodbus) and shown with what came; what is free, what
+needs which permission, and that nothing reaches a drive by it that `write` refuses.
+
+    python3 asking.py TOOL LIBMODBUS_SERVER
+    python3 asking.py --serve DEVICE
+"""
+import asyncio
+import struct
+import subprocess
+import sys
+
+FIRST, SECOND, NOBODY = 61, 62, 99
+OWN_FUNCTION = 0x41
+
+
+async def serve(device):
+    from pymodbus.datastore import ModbusSequentialDataBlock as Block
+    from pymodbus.datastore import ModbusServerContext, ModbusSlaveContext
+    from pymodbus.device import ModbusDeviceIdentification
+    from pymodbus.pdu import ModbusRequest, ModbusResponse
+    from pymodbus.server import StartAsyncSerialServer
+    from pymodbus.transaction import ModbusRtuFramer
+
+    class Sum(ModbusResponse):
+        function_code = OWN_FUNCTION
+
+        def __init__(self, text=b"", **kwargs):
+            super().__init__(**kwargs)
+            self.text = text
+
+        def encode(self):
+            return self.text
+
+    class Add(ModbusRequest):
+        """A maker's own function: two bytes, and a text of any length that no table knows."""
+        function_code = OWN_FUNCTION
+        _rtu_frame_size = 6
+
+        def decode(self, data):
+            self.numbers = data
+
+        def encode(self):
+            return self.numbers
+
+        def execute(self, _):
+            return Sum(b"sum %d" % sum(self.numbers))
+
+    def unit():
+        return ModbusSlaveContext(hr=Block(0, list(range(100, 150))), ir=Block(0, list(range(200, 250))),
+                                  co=Block(0, [i % 3 == 0 for i in range(40)]), di=Block(0, [i % 5 == 1 for i in range(40)]),
+                                  zero_mode=True)
+
+    context = ModbusServerContext(slaves={FIRST: unit(), SECOND: unit()}, single=False)
+    # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
+    server = await StartAsyncSerialServer(
+        context, framer=ModbusRtuFramer, port=device, baudrate=38400, parity="N", stopbits=2, ignore_missing_slaves=True,
+        identity=ModbusDeviceIdentification(info={0: "Maker", 1: "Module", 2: "1"}), custom_functions=[Add],
+        broadcast_enable=True, defer_start=True)
+    await server.start()
+    print("ready", flush=True)
+    await server.serve_forever()
+
+
+QUIET = ["--listen", "0.05", "-b", 38400, "-f", "8N2", "--timeout", 0.5, "--retries", 0]
+NONE = ["-d", "none", "--write"]
+
+
+def frames_of(rows, check, what):
+    """The whole frames of an answer by who sent them, each with a right CRC by this test's own; the error beside."""
+    frames = {row["as"]: bytes.fromhex(row["bytes"]) for row in rows if row["field"] == "frame"}
+    check(all(crc(frame) == 0 for frame in frames.values()), f"{what}: each frame has its CRC", frames)
+    error = [row["value"] for row in rows if row["field"] == "error"]
+    return frames.get("request"), frames.get("response"), error[0] if error else ""
+
+
+def ask(tool, check, unit, words, *beside):
+    ended = tool.run(*QUIET, *beside, "-u", unit, "--json", "ask", *words)
+    return ended, *frames_of(ended.objects(), check, words)
+
+
+def check_free(tool, check):
+    """What reads is sent as it is typed, and what comes is shown byte by byte, as pymodbus means it."""
+    words = b"".join(struct.pack(">H", 100 + i) for i in range(3))
+    inputs = b"".join(struct.pack(">H", 200 + i) for i in range(3))
+    cases = ((["01", "00000009"], bytes([1, 2, 0x49, 0x00])), (["02", "00 00 00 09"], bytes([2, 2, 0x42, 0x00])),
+             (["3", "0x0000", "0x0003"], bytes([3, 6]) + words), (["0x04", "0000", "0003"], bytes([4, 6]) + inputs),
+             (["07"], bytes([7, 0])), (["08", "0000", "A5A5"], bytes.fromhex("080000a5a5")), (["0B"], None), (["0C"], None),
+             (["11"], None), (["14", "07", "06", "0001", "0000", "0001"], None), (["18", "0000"], None),
+             (["2B", "0E", "01", "00"], None))
+    for typed, wanted in cases:
+        ended, request, response, error = ask(tool, check, FIRST, typed)
+        sent = bytes.fromhex("".join(each.replace("0x", "").zfill(2) for each in typed))
+        check(request[:-2] == bytes([FIRST]) + sent, f"{typed} is sent as it is typed", request)
+        if wanted is not None:
+            check(ended.status == DONE and response[:-2] == bytes([FIRST]) + wanted and not error, f"{typed} is answered", ended)
+        is_answered = response is not None and response[1] < 0x80
+        check((ended.status == DONE) == is_answered == (not error), f"{typed}: its status says whether it is answered", ended)
+    rows = tool.run(*QUIET, "-u", FIRST, "--csv", "ask", "03", "00000002").rows()
+    check(["registers", "100 101"] in [[row["field"], row["value"]] for row in rows] or
+          any("100" in row["value"] for row in rows if row["as"] == "response"), "CSV has the fields of decode", rows)
+    decoded = [row for row in tool.run("--csv", "decode", rows[0]["bytes"]).rows() if row["as"] == "request"]
+    check([(row["at"], row["field"], row["value"]) for row in rows if row["as"] == "request"][1:] ==
+          [(row["at"], row["field"], row["value"]) for row in decoded], "a request is shown as decode shows it", (rows, decoded))
+    table = tool.run(*QUIET, "-u", FIRST, "ask", "03", "00000002").table()
+    check(["1", "request", "0", "3D", "03", "00", "00", "00", "02"] == table[0][:9], "a table has the frame first", table)
+    rows = tool.run("--no-listen", "-u", 7, "-d", "atv320", "--json", "ask", "03", "0C820001", port="sim:atv320:7").objects()
+    check(any("RFR" in row["value"] for row in rows if row["as"] == "response"), "a drive's registers are named", rows)
+
+
+def check_failures(tool, check):
+    ended, _, response, error = ask(tool, check, FIRST, ["03", "03E80001"])
+    check(ended.status == DIFFERS and response[:3] == bytes([FIRST, 0x83, 2]) and "exception 0x02" in error, "an exception", ended)
+    ended, request, response, error = ask(tool, check, NOBODY, ["03", "00000001"])
+    check(ended.status == NO_ANSWER and request and not response and "no response" in error, "silence", ended)
+    ended, _, response, error = ask(tool, check, FIRST, ["03", "0000"])
+    check(ended.status in (DIFFERS, NO_ANSWER) and error, "a request that is cut short is sent all the same", ended)
+    for words, says in ((["03", "0C8"], "3 digits"), (["03", "0G"], "hexadecimal"), (["80"], "01 to 7F"), (["00"], "01 to 7F"),
+                        (["03", *["00"] * 253], "at most 252"), (["03", "1"], "1 digit"), (["0x"], "hexadecimal"),
+                        ([f"{FIRST:02X}", "03", "00", "00", "00", "01", "89", "66"], "03 00 00 00 01")):
+        ended = tool.run(*QUIET, "-u", FIRST, "ask", *words)
+        check(ended.status == USAGE and says in ended.errors and not ended.output, f"{words[:3]} is refused", ended)
+    ended = tool.run(*QUIET, "-u", FIRST, "ask", "43", "0E0100")
+    check(ended.status == REFUSED and "is 2B" in ended.errors, "a decimal number is hinted at", ended)
+
+
+def check_writes(tool, check):
+    """A unit that says that it is no drive: one permission; what came of it stands there, and in the log."""
+    for words in (["06", "00050007"], ["05", "0001FF00"], ["10", "00060001020008"], ["16", "0007FF0F00A0"], ["41", "0102"],
+                  ["17", "0000000100080001020009"], ["08", "00010000"], ["0F", "000A00020103"]):
+        ended = tool.run(*QUIET, "-u", FIRST, "ask", *words)
+        check(ended.status == REFUSED and "--write" in ended.errors and not ended.output, f"{words} without --write", ended)
+        ended = tool.run(*QUIET, *NONE, "ask", *words)
+        check(ended.status == USAGE and "which unit?" in ended.errors, f"{words} without a unit", ended)
+    for words, wanted in ((["06", "00050007"], "0600050007"), (["05", "0001FF00"], "050001ff00"), (["10", "00060001020008"], "1000060001"),
+                          (["16", "0007FF0F00A0"], "160007ff0f00a0"), (["17", "0000000100080001020009"], "17020064"),
+                          (["0F", "000A00020103"], "0f000a0002"), (["41", "0102"], "41" + b"sum 3".hex())):
+        ended, _, response, error = ask(tool, check, FIRST, words, *NONE)
+        check(ended.status == DONE and response[:-2].hex() == f"{FIRST:02x}{wanted}" and not error, f"{words} is answered", ended)
+    held = [row["raw"] for row in tool.run(*QUIET, "-u", FIRST, "--json", "read", "5-8", "coil:1", "coil:10-11").objects()]
+    check(held == [7, 8, 107 & 0xFF0F | 0xA0, 9, 1, 1, 1], "and stands there", held)
+    log = (tool.place / "state" / "rtuwire" / "writes.log").read_text()
+    check(f"\t{FIRST}\task 06 00 05 00 07\tunknown\tanswered" in log and "\t0x0005\tunknown\t7 was sent" in log, "and is noted", log)
+    for words, says in ((["06", "000500"], "nobody knows what a unit writes"), (["10", "0006000202000800"], "nobody knows"),
+                        (["05", "00010001"], "nobody knows")):
+        ended = tool.run(*QUIET, *NONE, "-u", FIRST, "ask", *words)
+        check(ended.status == USAGE and says in ended.errors, f"{words} is refused before a frame leaves", ended)
+    shown = tool.on_terminal(*QUIET, *NONE, "-u", FIRST, "ask", "06", "00050009", keys=[("send? (y/n)", "n\n")])
+    check(shown.status == REFUSED and "0x0005 = 9" in shown.output, "somebody is asked", shown)
+    held = tool.run(*QUIET, "-u", FIRST, "--json", "read", "5").objects()[0]["raw"]
+    check(held == 7, "and says no", held)
+
+
+def check_broadcast(tool, check):
+    to_all = [*QUIET, "-u", 0]
+    for words, beside, status, says in (
+            (["06", "00140005"], [], REFUSED, "--write"), (["06", "00140005"], ["--write"], REFUSED, "--allow-run"),
+            (["03", "00000001"], [], USAGE, "nobody answers"), (["41", "0102"], ["--write", "--allow-run"], USAGE, "nobody answers"),
+            (["17", "0000000100080001020009"], ["--write", "--allow-run"], USAGE, "nobody answers"),
+            (["06", "2135000F"], ["--write", "--allow-run"], REFUSED, "CMD"),
+            (["10", "2134000204000000" + "0F"], ["--write", "--allow-run"], REFUSED, "CMD"),
+            (["16", "2135000F000F"], ["--write", "--allow-run"], REFUSED, "CMD"),
+            (["06", "0190000F"], ["--write", "--allow-run"], REFUSED, "atv28")):
+        ended = tool.run(*to_all, *beside, "ask", *words)
+        check(ended.status == status and says in ended.errors and not ended.output, f"{words} to all with {beside}", ended)
+    ended = tool.run(*to_all, "--write", "--allow-run", "--json", "ask", "06", "00140005")
+    request, response, _ = frames_of(ended.objects(), check, "a broadcast")
+    check(ended.status == DONE and request[:-2].hex() == "000600140005" and response is None and "nobody answers" in ended.errors,
+          "a broadcast is sent, and it is said that nobody answers", ended)
+    held = [tool.run(*QUIET, "-u", unit, "--json", "read", "20").objects()[0]["raw"] for unit in (FIRST, SECOND)]
+    check(held == [5, 5], "all have it", held)
+
+
+def check_unnamed(tool, check, others, server):
+    """A server of libmodbus has no function 2B: it may be a drive, so that writing takes both permissions."""
+    near, tool.port = others.line()
+    others.serve(near, [server, "@"], stderr=subprocess.DEVNULL)
+    how = ["--listen", "0.05", "--json"]
+    ended = tool.run(*how, "ask", "03", "00640002")
+    _, response, _ = frames_of(ended.objects(), check, "libmodbus")
+    check(ended.status == DONE and response[:-2].hex() == "0103040064" + "0065", "libmodbus answers", ended)
+    for words in (["06", "00640007"], ["41", "0102"], ["08", "00040000"], ["2B", "0D0102"]):
+        ended = tool.run(*how, *NONE, "-u", 1, "ask", *words)
+        check(ended.status == REFUSED and "--allow-run" in ended.errors and not ended.output, f"{words} needs both", ended)
+    ended = tool.run(*how, *NONE, "--allow-run", "-u", 1, "ask", "06", "00640007")
+    check(ended.status == DONE, "both are enough", ended)
+    ended = tool.run(*how, *NONE, "--allow-run", "-u", 1, "ask", "41", "0102")
+    check(ended.status in (DIFFERS, NO_ANSWER), "a function that it lacks", ended)
+    check(tool.run(*how, "read", "100").objects()[0]["raw"] == 7, "and stands there")
+
+
+# All of them command a motor, or a drive's settings; by any function.
+NEVER = [["06", "2135000F"], ["06", "2136 01F4"], ["10", "21350001020006"], ["10", "2134000204000000" + "06"],
+         ["17", "0C8100012135000102000F"], ["16", "2135FFFF000F"], ["06", "21990032"], ["06", "1F410001"], ["06", "31D9000F"],
+         ["16", "0BB8FFFF0001"], ["2B", "0D00006040"]]
+
+
+def check_drive(tool, check):
+    """Nothing reaches a drive by ask that write refuses, and nothing else without --allow-run."""
+    with Simulator(tool.program, "atv320:7") as device:
+        tool.port = device
+        held = [row["raw"] for row in tool.run("--no-listen", "-u", 7, "--json", "read", "8501", "8502", "8601", "8602", "8001").objects()]
+        for words in NEVER:
+            for said in ([], ["-d", "atv320"], ["-d", "none"]):
+                ended = tool.run("--no-listen", "-u", 7, *said, "--write", "--allow-run", "ask", *words)
+                check(ended.status in (REFUSED, USAGE) and not ended.output, f"{words} {said} is refused", ended)
+        for words in (["06", "23290003"], ["41", "0102"], ["08", "00040000"], ["15", "07060001000000010001"]):
+            ended = tool.run("--no-listen", "-u", 7, "--write", "ask", *words)
+            check(ended.status == REFUSED and "--allow-run" in ended.errors, f"{words} needs --allow-run", ended)
+        ended = tool.run("--no-listen", "-u", 7, "--write", "--allow-run", "--json", "ask", "06", "2329000D")
+        check(ended.status == DONE, "a ramp is written", ended)
+        ended = tool.run("--no-listen", "-u", 7, "--write", "--allow-run", "ask", "06", "0C20FFFF")
+        check(ended.status == USAGE and "HSP takes" in ended.errors, "its limits count", ended)
+        ended = tool.run("--no-listen", "-u", 7, "--write", "--allow-run", "--json", "ask", "41", "0102")
+        check(ended.status == DIFFERS and "exception 0x01" in ended.output, "a function that it lacks", ended)
+        now = [row["raw"] for row in tool.run("--no-listen", "-u", 7, "--json", "read", "8501", "8502", "8601", "8602", "8001").objects()]
+        check(now == held, "its words are as they were", (held, now))
+
+
+def check_once(tool, check):
+    """What may change something is sent once, whatever --retries says."""
+    class Deaf(Units):
+        def answer(self, request):
+            return None if request[1] == OWN_FUNCTION else super().answer(request)
+
+        def next_request(self):
+            if len(self.waiting) > 1 and self.waiting[1] == OWN_FUNCTION:
+                request, self.waiting = self.waiting, b""
+                return request
+            return super().next_request()
+
+    with Deaf({7: {0: 1}}) as line:
+        ended = tool.run("--no-listen", "--timeout", 0.2, "--retries", 3, "-u", 7, *NONE, "--allow-run", "--json", "ask", "41", "01",
+                         port=line.name)
+        sent = [each for each in line.requests if each[1] == OWN_FUNCTION]
+        check(ended.status == NO_ANSWER and len(sent) == 1, "it is sent once", (ended, sent))
+    log = (tool.place / "state" / "rtuwire" / "writes.log").read_text()
+    check("\task 41 01\tunknown\tno response" in log, "and noted, for nobody knows what came of it", log)
+
+
+def main(check, program, libmodbus_server):
+    with Tool(program) as tool, Programs() as others:
+        near, tool.port = others.line()
+        others.serve(near, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
+        for part in (check_free, check_failures, check_writes, check_broadcast):
+            part(tool, check)
+        check_unnamed(tool, check, others, libmodbus_server)
+        check_drive(tool, check)
+        check_once(tool, check)
+
+
+if len(sys.argv) > 1 and sys.argv[1] == "--serve":
+    asyncio.run(serve(*sys.argv[2:]))
+else:
+    from support import DIFFERS, DONE, NO_ANSWER, REFUSED, USAGE, Simulator, Tool, Units, crc, runs
+
+    from pair import Programs  # noqa: I100
+
+    runs(main)

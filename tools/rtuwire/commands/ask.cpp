@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Asks a unit by any function, and shows both frames. What only reads is free; what else is sent by the rules of `write`.
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "commands/commands.hpp"
+#include "frame/decode.hpp"
+#include "frame/frame_printer.hpp"
+#include "frame/hex_text.hpp"
+#include "line/end_wish.hpp"
+#include "line/line_words.hpp"
+#include "line/open_line.hpp"
+#include "line/raw_request.hpp"
+#include "line/reading.hpp"
+#include "line/who_is_it.hpp"
+#include "line/write_log.hpp"
+#include "motion/question.hpp"
+#include "motion/raw_effect.hpp"
+#include "output/plain_text.hpp"
+
+namespace tool {
+
+namespace {
+
+using byte_list = std::vector<std::byte>;
+using rtuwire::errc;
+using rtuwire::frame_role;
+
+/// The bytes of a word: pairs of hexadecimal digits, with or without 0x in front.
+byte_list bytes_in(std::string_view word)
+{
+    std::string_view const digits = word.substr(word.starts_with("0x") or word.starts_with("0X") ? 2 : 0);
+    auto const is_hex = [](char each) { return std::isxdigit(static_cast<unsigned char>(each)) != 0; };
+    if (digits.empty() or not std::ranges::all_of(digits, is_hex)) {
+        refuse_word("'" + std::string{word} + "' is no hexadecimal number: data is typed as 0C820001 or 0C 82 00 01");
+    }
+    if (digits.size() % 2 != 0) {
+        refuse_word("'" + std::string{word} + "' has " + std::to_string(digits.size()) +
+                    (digits.size() == 1 ? " digit" : " digits") + ": a byte has two, such as 0C");
+    }
+    byte_list found;
+    for (std::size_t at = 0; at < digits.size(); at += 2) {
+        found.push_back(static_cast<std::byte>(std::stoul(std::string{digits.substr(at, 2)}, nullptr, 16)));
+    }
+    return found;
+}
+
+/// Function and data; a function may have one digit.
+byte_list pdu_in(std::vector<std::string> const& words)
+{
+    byte_list pdu;
+    for (std::string const& word : words) {
+        for (std::size_t at = 0;
+             at < word.size();) { // several in one word, as a shell keeps them that was given quotes
+            std::size_t const end = std::min(word.find(' ', at), word.size());
+            std::string const one = word.substr(at, end - at);
+            byte_list const more =
+                one.empty() ? byte_list{} : bytes_in(pdu.empty() and one.size() == 1 ? '0' + one : one);
+            pdu.insert(pdu.end(), more.begin(), more.end());
+            at = end + 1;
+        }
+    }
+    std::size_t const most = rtuwire::max_pdu_size;
+    if (pdu.empty()) {
+        refuse_word("which function? It is typed in hexadecimal, 01 to 7F, and its data behind it: 03 0C820001");
+    }
+    if (pdu.size() >= rtuwire::min_adu_size and pdu.size() <= rtuwire::max_adu_size and rtuwire::crc16(pdu) == 0) {
+        refuse_word("this is a whole frame with unit and CRC: ask takes a function and its data, " +
+                    hex_of(rtuwire::byte_view{pdu}.subspan(1, pdu.size() - 3)) + ", and adds both");
+    }
+    if (pdu[0] == std::byte{0} or pdu[0] > std::byte{0x7F}) {
+        refuse_word("'" + hex_of({pdu.data(), 1}) + "' is no function: there are 01 to 7F, in hexadecimal");
+    }
+    if (pdu.size() > most) {
+        refuse_word(std::to_string(pdu.size() - 1) + " bytes of data: a request has at most " +
+                    std::to_string(most - 1) + " behind its function");
+    }
+    return pdu;
+}
+
+/// A frame with its CRC.
+byte_list frame_of(std::byte unit, rtuwire::byte_view pdu)
+{
+    byte_list frame{unit};
+    frame.insert(frame.end(), pdu.begin(), pdu.end());
+    unsigned const crc = rtuwire::crc16(frame);
+    frame.push_back(static_cast<std::byte>(crc & 0xFFU));
+    frame.push_back(static_cast<std::byte>(crc >> 8U));
+    return frame;
+}
+
+class asking {
+public:
+    explicit asking(choices const& chosen)
+        : chosen_{chosen}, pdu_{pdu_in(chosen.words)}, is_free_{only_reads(pdu_)},
+          is_broadcast_{chosen.line.unit == "0"}, printer_{chosen.form}
+    {
+        if (not is_free_) {
+            refuse_without_write();
+            refuse_unreadable(pdu_);
+            printer_.need_reader();
+        }
+        if (is_broadcast_) {
+            refuse_broadcast(pdu_, chosen_);
+        } else {
+            unit_ = is_free_ ? unit_in(chosen.line) : unit_to_change(chosen);
+            drive_ = unit_->drive.empty() ? nullptr : catalog_or_none(unit_->drive);
+        }
+    }
+
+    exit_status run()
+    {
+        if (not is_free_) {
+            refuse_wrong_log();
+        }
+        open_line line{chosen_.line};
+        if (not is_free_ and not may_be_sent(line)) {
+            return exit_status::refused;
+        }
+        return is_broadcast_ ? send_to_all(line) : send(line);
+    }
+
+private:
+    rtuwire::raw_pdu<> raw() const
+    {
+        return {static_cast<rtuwire::function_code>(pdu_[0]), rtuwire::byte_view{pdu_}.subspan(1)};
+    }
+
+    void refuse_without_write() const
+    {
+        if (not chosen_.allowed.may_write) {
+            refuse_for_safety(words_of_function(pdu_) +
+                              ": it may change something, and this program only reads; to send it, "
+                              "say --write");
+        }
+    }
+
+    /// Checks it as a write of the same, and asks whoever is there. From here on a signal ends the command by its own words.
+    bool may_be_sent(open_line& line)
+    {
+        write_rules const rules = is_broadcast_ ? write_rules{} : rules_to_write(line, *unit_, chosen_.allowed);
+        if (not is_broadcast_) {
+            values_ = checked_request(pdu_, line, *unit_, rules, chosen_);
+            drive_ = rules.drive;
+        }
+        if (is_asked(chosen_.allowed)) {
+            std::fprintf(stderr, "%s: %s\n", plain_text(to_whom()).c_str(), plain_text(what()).c_str());
+            if (not is_answered_yes("send?")) {
+                return false;
+            }
+            if (not is_broadcast_ and not(rules_to_write(line, *unit_, chosen_.allowed) == rules)) {
+                throw ended{exit_status::refused, "another unit answers than when you were asked; nothing is sent"};
+            }
+        }
+        note_signals();
+        return true;
+    }
+
+    std::string to_whom() const { return is_broadcast_ ? "all units" : "unit " + std::to_string(unit_->unit.byte()); }
+
+    std::string what() const
+    {
+        std::string text = words_of_function(pdu_) + ": " + hex_of(pdu_);
+        for (value_to_write const& each : values_) {
+            text += "; " + label_of({each.where, each.entry}) + " = " + each.text;
+        }
+        return text;
+    }
+
+    void show(frame_decoder& decoder, byte_list const& frame, frame_role role, std::string const& error = {})
+    {
+        decoded_frame known = frame.size() < rtuwire::min_adu_size
+                                  ? decoded_frame{0, frame, false, false, {{.as = "response"}}}
+                                  : decoder.decode_as(frame, role);
+        if (not error.empty()) {
+            known.readings.back().fields.push_back({0, 0, "error", error});
+        }
+        printer_.put(known, frame.empty() ? std::string{} : "frame");
+    }
+
+    exit_status send(open_line& line)
+    {
+        std::byte const unit{unit_->unit.byte()};
+        frame_decoder decoder{drive_};
+        if (is_free_) {
+            rtuwire::single_request request{unit_->unit, raw_request{raw()}};
+            return tell(line, decoder, unit, line.run(request));
+        }
+        sent_once request{unit_->unit, raw_request{raw()}};
+        return tell(line, decoder, unit, line.run(request));
+    }
+
+    exit_status tell(open_line& line, frame_decoder& decoder, std::byte unit,
+                     rtuwire::result<rtuwire::response> const& outcome)
+    {
+        errc const why = outcome.error();
+        if (status_of(why) == exit_status::port) {
+            note("unknown");
+            throw ended{exit_status::port, line.port().failure()};
+        }
+        std::string const failure = why == errc::none ? std::string{} : line.words_of_failure(why);
+        note(failure.empty() ? "answered" : failure);
+        show(decoder, frame_of(unit, pdu_), frame_role::request);
+        show(decoder, came(line, unit, outcome), frame_role::response, failure);
+        printer_.finish_run();
+        return status_of(why);
+    }
+
+    /// What came; empty where nothing is known of it.
+    byte_list came(open_line const& line, std::byte unit, rtuwire::result<rtuwire::response> const& outcome) const
+    {
+        if (outcome) {
+            return frame_of(unit, outcome->pdu());
+        }
+        if (rtuwire::is_exception(outcome.error()) and outcome.error() != errc::unlisted_exception) {
+            std::byte const refusal[]{pdu_[0] | std::byte{0x80}, static_cast<std::byte>(outcome.error())};
+            return frame_of(unit, refusal);
+        }
+        rtuwire::byte_view const refused = line.refused();
+        return {refused.begin(), refused.end()};
+    }
+
+    exit_status send_to_all(open_line& line)
+    {
+        sent_once request{rtuwire::broadcast, raw_request{raw()}};
+        errc const why = line.run(request).error();
+        note(why == errc::none ? "sent to all" : words_of(why));
+        if (why != errc::none) {
+            throw ended{status_of(why) == exit_status::port ? exit_status::port : exit_status::differs,
+                        status_of(why) == exit_status::port ? line.port().failure() : line.words_of_failure(why)};
+        }
+        frame_decoder decoder{nullptr};
+        show(decoder, frame_of(std::byte{0}, pdu_), frame_role::request);
+        printer_.finish_run();
+        std::fputs("note: nobody answers a broadcast: what the units made of it is not known\n", stderr);
+        return exit_status::done;
+    }
+
+    /// In the file of what was written, where it may have changed something.
+    void note(std::string const& outcome) const
+    {
+        if (is_free_) {
+            return;
+        }
+        unsigned const unit = unit_ ? unit_->unit.byte() : 0;
+        std::string failure = log_write({chosen_.line.port, unit, "ask " + hex_of(pdu_), "unknown", outcome});
+        for (value_to_write const& each : values_) {
+            if (failure.empty()) {
+                failure = log_write(
+                    {chosen_.line.port, unit, label_of({each.where, each.entry}), "unknown", each.text + " was sent"});
+            }
+        }
+        if (not failure.empty()) {
+            std::fprintf(stderr, "rtuwire: not noted: %s\n", plain_text(failure).c_str());
+        }
+    }
+
+    choices const& chosen_;
+    byte_list pdu_;
+    bool is_free_;
+    bool is_broadcast_;
+    std::optional<named_unit> unit_{};
+    drive_catalog const* drive_{nullptr};
+    std::vector<value_to_write> values_{};
+    frame_printer printer_;
+};
+
+} // namespace
+
+exit_status run_ask(choices const& chosen) { return asking{chosen}.run(); }
+
+} // namespace tool

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "frame/frame_printer.hpp"
+
+#include "frame/hex_text.hpp"
+
+namespace tool {
+
+void frame_printer::put(decoded_frame const& frame, std::string const& whole, std::string const& value)
+{
+    ++number_;
+    for (frame_reading const& reading : frame.readings) {
+        is_first_ = true;
+        if (not whole.empty()) {
+            put(frame, reading, {0, frame.bytes.size(), whole, value});
+        }
+        for (frame_field const& each : reading.fields) {
+            put(frame, reading, each);
+        }
+        if (not reading.flaw.empty()) {
+            put(frame, reading, {0, 0, "flaw", reading.flaw});
+        }
+    }
+}
+
+void frame_printer::put(decoded_frame const& frame, frame_reading const& reading, frame_field const& each)
+{
+    bool const is_flaw = each.length == 0;
+    record row;
+    row.add("frame", is_table_ and not is_first_ ? cell{std::string{}} : cell{number_});
+    row.add("as", is_table_ and not is_first_ ? std::string{} : reading.as);
+    row.add("at", is_flaw ? cell{} : cell{static_cast<std::int64_t>(frame.offset + each.offset)});
+    row.add("bytes", hex_of(rtuwire::byte_view{frame.bytes}.subspan(each.offset, each.length)));
+    row.add("field", each.name).add("value", each.value);
+    results_.put(row);
+    is_first_ = false;
+}
+
+} // namespace tool

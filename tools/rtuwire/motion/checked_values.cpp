@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "motion/checked_values.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "line/asked_registers.hpp"
+#include "line/register_reader.hpp"
+#include "motion/unsafe_write.hpp"
+
+namespace tool {
+
+namespace {
+
+void refuse_if_wrong(value_to_write const& value, write_rules const& rules, choices const& chosen)
+{
+    refuse_command(value, rules, chosen);
+    if (value.refused) {
+        refuse(*value.refused);
+    }
+    if (rules.drive != nullptr) {
+        refuse_unsafe_write(value, *rules.drive, chosen);
+    }
+}
+
+} // namespace
+
+std::vector<value_to_write> checked_values(std::vector<std::string> const& words, open_line& line,
+                                           named_unit const& unit, write_rules const& rules, choices const& chosen)
+{
+    vocabulary const meant{rules.drive, unit.names};
+    std::vector<chosen_register> needed;
+    for (std::string const& word : words) { // what needs no request to be refused
+        value_to_write const value = check_value(word, meant);
+        refuse_if_wrong(value, rules, chosen);
+        for (register_entry const* const each : value.needed) {
+            needed.push_back({{each->address}, each});
+        }
+    }
+    register_reader limits{needed, rules.drive};
+    limits.read(line, unit.unit);
+    std::vector<value_to_write> values;
+    known_words const known = [&](std::string_view code) -> std::optional<std::uint16_t> {
+        auto const written = std::find_if(values.rbegin(), values.rend(), [code](value_to_write const& each) {
+            return each.entry != nullptr and each.entry->code == code;
+        });
+        return written != values.rend() ? std::optional{written->words[0]} : limits.known()(code);
+    };
+    for (std::string const& word : words) {
+        value_to_write value = check_value(word, meant, known);
+        refuse_if_wrong(value, rules, chosen);
+        if (not value.is_ready()) {
+            throw ended{status_of(limits.first_error()), "'" + word + "' is limited by " +
+                                                             std::string{value.needed.front()->code} +
+                                                             ", which could not be read: " + limits.first_failure()};
+        }
+        values.push_back(value);
+    }
+    return values;
+}
+
+} // namespace tool

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "motion/raw_effect.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+#include "exit_status.hpp"
+#include "frame/frame_fit.hpp"
+#include "frame/function_text.hpp"
+#include "motion/checked_values.hpp"
+#include "motion/moving_registers.hpp"
+#include "motion/unsafe_write.hpp"
+#include "words/place_value.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::byte_view;
+using rtuwire::function_code;
+
+function_code code_of(byte_view pdu) { return static_cast<function_code>(pdu[0]); }
+
+std::uint16_t word_at(byte_view pdu, std::size_t at)
+{
+    return static_cast<std::uint16_t>(std::to_integer<unsigned>(pdu[at]) << 8U |
+                                      std::to_integer<unsigned>(pdu[at + 1]));
+}
+
+std::string hex_word_of(std::uint16_t word) { return hex_words({&word, 1}); }
+
+constexpr rtuwire::function_set register_writes{function_code::write_single_register,
+                                                function_code::write_multiple_registers,
+                                                function_code::read_write_multiple_registers};
+constexpr rtuwire::function_set place_writes{
+    function_code::write_single_coil,        function_code::write_multiple_coils,
+    function_code::mask_write_register,      function_code::write_single_register,
+    function_code::write_multiple_registers, function_code::read_write_multiple_registers};
+
+/// The first register that is written, and where its value stands.
+struct written_registers {
+    std::uint16_t first;
+    std::size_t count;
+    std::size_t at;
+};
+
+written_registers registers_written(byte_view pdu)
+{
+    if (code_of(pdu) == function_code::write_multiple_registers) {
+        return {word_at(pdu, 1), word_at(pdu, 3), 6};
+    }
+    return code_of(pdu) == function_code::read_write_multiple_registers
+               ? written_registers{word_at(pdu, 5), word_at(pdu, 7), 10}
+               : written_registers{word_at(pdu, 1), 1, 3};
+}
+
+/// The values of a request that is as the specification has it, as `write` takes them.
+std::vector<std::string> values_written(byte_view pdu)
+{
+    std::vector<std::string> words;
+    auto const coil = [&words](unsigned address, bool is_on) {
+        words.push_back("coil:" + std::to_string(address) + (is_on ? "=on" : "=off"));
+    };
+    if (code_of(pdu) == function_code::write_single_coil) {
+        coil(word_at(pdu, 1), pdu[3] != std::byte{0});
+    } else if (code_of(pdu) == function_code::write_multiple_coils) {
+        for (unsigned i = 0; i < word_at(pdu, 3); ++i) {
+            coil(word_at(pdu, 1) + i, (std::to_integer<unsigned>(pdu[6 + i / 8]) >> (i % 8U) & 1U) != 0);
+        }
+    } else if (register_writes.contains(code_of(pdu))) {
+        written_registers const it = registers_written(pdu);
+        for (std::size_t i = 0; i < it.count; ++i) {
+            words.push_back(hex_word_of(static_cast<std::uint16_t>(it.first + i)) + '=' +
+                            hex_word_of(word_at(pdu, it.at + 2 * i)));
+        }
+    }
+    return words;
+}
+
+/// What any object of a unit is written by, its command as well: CANopen's general reference.
+bool reaches_objects(byte_view pdu)
+{
+    return code_of(pdu) == function_code::encapsulated_interface and pdu.size() > 1 and pdu[1] == std::byte{13};
+}
+
+} // namespace
+
+bool only_reads(byte_view pdu)
+{
+    using enum function_code;
+    constexpr rtuwire::function_set reading{read_coils,           read_discrete_inputs,  read_holding_registers,
+                                            read_input_registers, read_exception_status, get_comm_event_counter,
+                                            get_comm_event_log,   report_server_id,      read_file_record,
+                                            read_fifo_queue};
+    bool const says_back = code_of(pdu) == diagnostics and pdu.size() > 2 and word_at(pdu, 1) == 0;
+    bool const identifies = code_of(pdu) == encapsulated_interface and pdu.size() > 1 and pdu[1] == std::byte{14};
+    return reading.contains(code_of(pdu)) or says_back or identifies;
+}
+
+std::string words_of_function(byte_view pdu)
+{
+    auto const number = std::to_integer<unsigned>(pdu[0]);
+    constexpr char digits[] = "0123456789ABCDEF";
+    std::string const hex{digits[number >> 4U], digits[number & 0xFU]};
+    if (rtuwire::all_functions.contains(code_of(pdu))) {
+        return "function " + hex + ", " + function_text(code_of(pdu));
+    }
+    unsigned const meant = 10 * (number >> 4U) + (number & 0xFU); // its digits, read as decimal ones
+    bool const may_be_meant =
+        (number & 0xFU) < 10 and rtuwire::all_functions.contains(static_cast<function_code>(meant));
+    return "function " + hex + " (hexadecimal), which is not public" +
+           (may_be_meant ? "; function " + hex + " in decimal, " + function_text(static_cast<function_code>(meant)) +
+                               ", is " + std::string{digits[meant >> 4U], digits[meant & 0xFU]}
+                         : "");
+}
+
+void refuse_unreadable(byte_view pdu)
+{
+    if (place_writes.contains(code_of(pdu)) and flaw_of(pdu, rtuwire::frame_role::request) != rtuwire::errc::none) {
+        refuse_word(words_of_function(pdu) + ": its data is " +
+                    std::string{rtuwire::name(flaw_of(pdu, rtuwire::frame_role::request))} +
+                    ", so nobody knows what a unit writes by it; `decode` shows a frame field by field");
+    }
+}
+
+std::vector<value_to_write> checked_request(byte_view pdu, open_line& line, named_unit const& unit,
+                                            write_rules const& rules, choices const& chosen)
+{
+    std::string const number = "unit " + std::to_string(unit.unit.byte());
+    std::string const what = words_of_function(pdu);
+    bool const is_drive = rules.drive != nullptr;
+    std::vector<value_to_write> values = checked_values(values_written(pdu), line, unit, rules, chosen);
+    if (code_of(pdu) == function_code::mask_write_register) {
+        refuse_command({.where = {word_at(pdu, 1)}}, rules, chosen);
+        if (is_drive) {
+            refuse_for_safety(number + " is an " + std::string{rules.drive->name} + ": what " + what +
+                              ", makes of its register is not known before; `write` sends a value that is");
+        }
+    }
+    if (reaches_objects(pdu) and (is_drive or rules.command)) {
+        refuse_for_safety(number + (is_drive ? " is a drive: " : " may be a drive: ") + what +
+                          " of type 13, reaches its command as well");
+    }
+    if (not chosen.allowed.may_run and not rules.says_it_is_none) {
+        refuse_for_safety(number +
+                          (is_drive ? " is an " + std::string{rules.drive->name}
+                                    : " does not say by function 2B what it is, and may be a drive") +
+                          ": a motor may turn after " + what + "; to send it, say --allow-run besides");
+    }
+    return values;
+}
+
+void refuse_broadcast(byte_view pdu, choices const& chosen)
+{
+    constexpr rtuwire::function_set files{function_code::write_file_record};
+    std::string const what = words_of_function(pdu);
+    if (not place_writes.contains(code_of(pdu)) and not files.contains(code_of(pdu))) {
+        refuse_word(what + ", is nothing for all units (-u 0): nobody answers a broadcast, so only what writes is sent "
+                           "by one");
+    }
+    if (code_of(pdu) == function_code::read_write_multiple_registers) {
+        refuse_word(what + ", is nothing for all units (-u 0): it reads as well, and nobody answers a broadcast");
+    }
+    if (not chosen.allowed.may_run) {
+        refuse_for_safety("a broadcast reaches whoever is on the line, drives as well; to send it, say --allow-run "
+                          "besides");
+    }
+    bool const is_mask = code_of(pdu) == function_code::mask_write_register;
+    written_registers const it =
+        is_mask or register_writes.contains(code_of(pdu)) ? registers_written(pdu) : written_registers{};
+    for (std::size_t i = 0; i < it.count; ++i) {
+        auto const address = static_cast<std::uint16_t>(it.first + i);
+        for (drive_catalog const* const each : all_catalogs()) {
+            register_entry const* const entry = each->at(address);
+            if (commands_a_motor(address, *each) or entry != nullptr) {
+                refuse_for_safety("register " + std::to_string(address) + " is " +
+                                  (entry != nullptr ? std::string{entry->code} : std::string{"a command"}) + " of an " +
+                                  std::string{each->name} +
+                                  ", which may be on the line; `write` sends it to one unit, and checks it");
+            }
+        }
+    }
+}
+
+} // namespace tool

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What a request of any function may do to a unit, by its bytes alone: to be refused as a write of the same is.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <rtuwire/frames.hpp>
+
+#include "choices.hpp"
+#include "line/line_words.hpp"
+#include "line/open_line.hpp"
+#include "line/who_is_it.hpp"
+#include "words/value_words.hpp"
+
+namespace tool {
+
+/// Whether a request only reads, on a unit of whatever maker.
+[[nodiscard]] bool only_reads(rtuwire::byte_view pdu);
+
+/// "function 06, write single register"; of one that is not public, and that a decimal number may have meant, with that.
+[[nodiscard]] std::string words_of_function(rtuwire::byte_view pdu);
+
+/// Refuses a request that writes registers or coils, and is not as the specification has it: what a unit makes of it, nobody
+/// knows.
+void refuse_unreadable(rtuwire::byte_view pdu);
+
+/// Ends the command where this unit may not be sent this request by these rules. The values that it writes, checked as
+/// `write` checks them; none where they are no registers and no coils, or a mask.
+std::vector<value_to_write> checked_request(rtuwire::byte_view pdu, open_line& line, named_unit const& unit,
+                                            write_rules const& rules, choices const& chosen);
+
+/// The same of a request to all units, of which nobody knows who they are.
+void refuse_broadcast(rtuwire::byte_view pdu, choices const& chosen);
+
+} // namespace tool
