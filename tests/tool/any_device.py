@@ -269,6 +269,39 @@ access = "write"
 name = "fixed"
 address = 5
 """
+RICH_FILE = """
+[device]
+max_registers = 2
+pause = 5
+[groups]
+fast = "50ms"
+slow = "10min"
+[[register]]
+name = "mode"
+address = 12
+type = "i16"
+access = "write"
+choices = { off = 0, heat = 1, cool = -1 }
+stored = true
+group = "fast"
+[[register]]
+name = "valve"
+space = "coil"
+address = 10
+access = "write"
+moves = true
+choices = { closed = 0, open = 1 }
+[[register]]
+name = "power"
+address = 13
+type = "u32"
+invalid = 0xFFFFFFFF
+group = "slow"
+[[register]]
+name = "level"
+address = 15
+group = "slow"
+"""
 DRIVE_FILE = """
 [[register]]
 name = "speed"
@@ -316,6 +349,47 @@ def check_register_file(tool, check):
         for beside in ([], ["--allow-run"]):
             ended = tool.run("--no-listen", "-u", 7, "--device", "drive.toml", "--write", *beside, "write", *words, port="sim:atv320:7")
             check(ended.status == status, f"a file makes no command writable: {words} {beside}", ended)
+
+
+def check_rich_file(tool, check):
+    """Choices, what means no value, what moves, groups and their periods, of a unit that nobody here wrote."""
+    (tool.place / "rich.toml").write_text(RICH_FILE)
+    how = [*QUIET, "-u", MODULE, "--device", "rich.toml"]
+    plain = [*QUIET, "-u", MODULE, "-d", "none", "--write", "write"]
+    tool.run(*plain, "12:i16=-1", "13:u32=4294967295", "15=7")
+    found = tool.run(*how, "--json", "read", "@slow", "mode", "valve").objects()
+    shown = [(each["register"], each["value"], each["raw"], each["text"]) for each in found]
+    check(shown == [("power", None, "0xFFFFFFFF", "no value (0xFFFFFFFF)"), ("level", 7, 7, "7 (0x0007)"),
+                    ("mode", "cool", 65535, "cool (-1)"), ("valve", "closed", 0, "closed (0)")], "a rich file is read", found)
+    rows = tool.run(*how, "--csv", "watch", "@slow", "mode", "--for", "0.4s").rows()
+    check(len(rows) > 4 and {row["mode"] for row in rows} == {"cool"} and [row["level"] for row in rows] == ["7"] + [""] * (len(rows) - 1),
+          "a watch reads each group in its period", rows)
+    rows = tool.run(*how, "--csv", "watch", "@slow", "--every", "50ms", "--for", "0.3s").rows()
+    check(len(rows) > 2 and {row["level"] for row in rows} == {"7"}, "and all where --every says so", rows)
+    write = [*how, "--write", "--json", "write"]
+    ended = tool.run(*write, "mode=heat")
+    held = tool.run(*QUIET, "-u", MODULE, "--json", "read", "12").objects()[0]["raw"]
+    check(ended.status == DONE and held == 1 and ended.objects()[0]["after"] == "heat (1)"
+          and "bears a limited number of writes" in ended.objects()[0]["note"], "a choice is written by name", (ended, held))
+    for words, status, says in ((["mode=2"], USAGE, "mode takes cool -1, off 0, heat 1"), (["mode=haet"], USAGE, "did you mean 'heat'"),
+                                (["valve=open"], REFUSED, "say --allow-run besides"), (["valve=1"], REFUSED, "--allow-run"),
+                                (["coil:10=on"], USAGE, "say that name"), (["power=1"], USAGE, "read only"),
+                                (["@slow=1"], USAGE, "one register"), (["holding:30=AF"], USAGE, "say 0xAF if it is hexadecimal"),
+                                (["holding:30=1F"], USAGE, "say 0x1F if it is hexadecimal"),
+                                (["holding:30=1", "29:u32=1"], USAGE, "'29:u32=1' and 'holding:30=1' write one register")):
+        ended = tool.run(*write, "mode=off", *words)
+        held = tool.run(*QUIET, "-u", MODULE, "--json", "read", "12").objects()[0]["raw"]
+        check(ended.status == status and says in ended.errors and held == 1, f"{words} is refused before a frame leaves", ended)
+    ended = tool.run(*how, "--write", "--allow-run", "--json", "write", "valve=open")
+    held = tool.run(*QUIET, "-u", MODULE, "--json", "read", "coil:10").objects()[0]["raw"]
+    check(ended.status == DONE and held == 1, "what moves is written where --allow-run says so", ended)
+    (tool.place / "two.toml").write_text('[device]\nmax_registers = 1\n' + "".join(
+        f'[[register]]\nname = "r{i}"\naddress = {i}\n' for i in range(20)))
+    found = tool.run(*QUIET, "-u", SHORT, "--device", "two.toml", "--json", "read", "r*").objects()
+    check([each.get("value") for each in found] == list(range(100, 120)), "one register a request", found)
+    ended = tool.run("--csv", "device", "check", "rich.toml", port="/dev/nowhere")
+    row = next(row for row in ended.rows() if row["register"] == "mode")
+    check(row["choices"] == "cool -1, off 0, heat 1" and row["group"] == "fast" and row["note"] == "stored", "a check shows them", row)
 
 
 def check_drive(tool, check):
@@ -390,7 +464,7 @@ def main(check, program):
         addresses = ",".join(row["address"] for row in tool.run("--csv", "list", "-d", "atv320").rows())
         near_end, tool.port = others.line()
         others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@", addresses], stderr=subprocess.DEVNULL)
-        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_formulas, check_register_file, check_units,
+        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_formulas, check_register_file, check_rich_file, check_units,
                      check_drive):
             part(tool, check)
 

@@ -294,6 +294,7 @@ def check_log(tool, check):
         folder.unlink()
         kept = {name: tool.environment.pop(name) for name in ("HOME", "XDG_STATE_HOME")}
         places = {"defect: D41 there is no home": ({}, "no home"),
+                  "a relative folder is none, as its specification says": ({"XDG_STATE_HOME": "state"}, "no home"),
                   "defect: D41 the log's folder cannot be made": ({"XDG_STATE_HOME": "/proc/nowhere"}, "/proc/nowhere")}
         for what, (place, says) in places.items():
             tool.environment.update(place)

@@ -277,7 +277,9 @@ parsed parse(int argc, char** argv)
         refuse_word("--device: read, watch, monitor and write know register files, '" + chosen.command + "' does not");
     }
     if (not chosen.line.device.empty()) { // before anything is opened
-        static_cast<void>(register_file_at(chosen.line.device));
+        named_places const& device = register_file_at(chosen.line.device);
+        bool const is_typed = app.get_option("--pause")->count() > 0;
+        chosen.line.pause = is_typed ? chosen.line.pause : device.pause.value_or(chosen.line.pause);
     }
     chosen.line.typed = typed_in(app, argc > 0 ? argv[0] : "");
     if (chosen.command == "completion" or chosen.command == "man") {

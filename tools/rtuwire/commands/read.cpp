@@ -42,7 +42,7 @@ record for_programs(reading const& it, chosen_register const& which, rtuwire::un
 exit_status read_unit(choices const& chosen, open_line& line, output& results, bool is_of_several)
 {
     asked_registers const asked = registers_asked(chosen, line);
-    register_reader reader{asked.registers, asked.drive};
+    register_reader reader{asked.registers, {asked.drive, asked.unit.names}};
     reader.read(line, asked.unit.unit);
     for (chosen_register const& each : asked.registers) {
         reading const it = reading_of(each, reader, asked.drive);

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Reads registers again and again, a line each time, for minutes or days: to a terminal, a pipe or a file.
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "../support/signals.hpp"
 #include "commands/commands.hpp"
@@ -23,27 +27,65 @@ using std::chrono::steady_clock;
 class watching {
 public:
     explicit watching(choices const& chosen)
-        : chosen_{chosen}, line_{chosen.line}, asked_{registers_asked(chosen, line_)},
-          reader_{asked_.registers, asked_.drive}, results_{chosen.form, true}
-    {}
+        : chosen_{chosen}, line_{chosen.line}, asked_{registers_asked(chosen, line_)}, results_{chosen.form, true}
+    {
+        std::map<double, std::vector<chosen_register>> by_period;
+        for (chosen_register const& each : asked_.registers) {
+            by_period[period_of(each)].push_back(each);
+        }
+        for (auto& [period, registers] : by_period) {
+            register_reader reader{registers, {asked_.drive, asked_.unit.names}};
+            parts_.push_back({std::chrono::duration<double>{period}, std::move(reader)});
+        }
+    }
 
     exit_status run()
     {
         auto const began = steady_clock::now();
-        std::chrono::duration<double> const period{chosen_.every.value_or(1.0)};
-        for (unsigned long rounds = 0; goes_on(began); ++rounds) {
-            reader_.read(line_, asked_.unit.unit);
+        for (part& each : parts_) {
+            each.next = began;
+        }
+        while (goes_on(began)) {
+            read_due(began);
             show(std::chrono::duration<double>{steady_clock::now() - began}.count());
-            // Counted from the beginning: no round makes the next one late for good.
-            auto const next =
-                began + std::chrono::duration_cast<steady_clock::duration>(period * static_cast<double>(rounds + 1));
-            wait_until(next, began);
+            wait_until(std::ranges::min(parts_, {}, &part::next).next, began);
         }
         results_.finish();
         return status_of(last_error_);
     }
 
 private:
+    /// Registers of one period.
+    struct part {
+        std::chrono::duration<double> period;
+        register_reader reader;
+        unsigned long rounds{0};
+        steady_clock::time_point next{};
+        bool is_read{false}; ///< in this round
+    };
+
+    /// What --every says, else the register's group.
+    double period_of(chosen_register const& which) const
+    {
+        named_group const* const group =
+            which.named == nullptr ? nullptr : asked_.unit.names->group_named(which.named->group);
+        return chosen_.every.value_or(group == nullptr ? 1.0 : group->period);
+    }
+
+    void read_due(steady_clock::time_point began)
+    {
+        auto const now = steady_clock::now();
+        for (part& each : parts_) {
+            each.is_read = each.next <= now;
+            if (each.is_read) {
+                each.reader.read(line_, asked_.unit.unit);
+                // Counted from the beginning: no round makes the next one late for good.
+                auto const passed = each.period * static_cast<double>(++each.rounds);
+                each.next = began + std::chrono::duration_cast<steady_clock::duration>(passed);
+            }
+        }
+    }
+
     bool is_over(steady_clock::time_point began) const
     {
         return chosen_.last and steady_clock::now() - began >= std::chrono::duration<double>{*chosen_.last};
@@ -75,19 +117,22 @@ private:
         bool const is_table = chosen_.form == output_form::table;
         record line{{"time", time_text(unix_now())}, {"seconds", std::round(seconds * 1'000.0) / 1'000.0}};
         for (chosen_register const& each : asked_.registers) {
-            reading const it = reading_of(each, reader_, asked_.drive);
-            line.add(it.label, is_table ? cell{it.text} : it.value);
+            part const& of =
+                *std::ranges::find(parts_, period_of(each), [](part const& one) { return one.period.count(); });
+            reading const it = reading_of(each, of.reader, asked_.drive);
+            line.add(it.label, not of.is_read ? cell{} : is_table ? cell{it.text} : it.value);
         }
-        rtuwire::errc const why = reader_.first_error();
-        last_error_ = why;
-        line.add("error", why != rtuwire::errc::none ? cell{reader_.first_failure()} : cell{});
+        auto const failed = std::ranges::find_if(
+            parts_, [](part const& one) { return one.is_read and one.reader.first_error() != rtuwire::errc::none; });
+        last_error_ = failed == parts_.end() ? rtuwire::errc::none : failed->reader.first_error();
+        line.add("error", failed == parts_.end() ? cell{} : cell{failed->reader.first_failure()});
         results_.put(line);
     }
 
     choices const& chosen_;
     open_line line_;
     asked_registers asked_;
-    register_reader reader_;
+    std::vector<part> parts_{};
     output results_;
     rtuwire::errc last_error_{};
 };

@@ -111,9 +111,9 @@ private:
     {
         std::vector<chosen_register> all;
         for (value_to_write const& each : values) {
-            all.push_back({each.where, each.entry});
+            all.push_back({each.where, each.entry, each.named});
         }
-        register_reader reader{all, rules_.drive};
+        register_reader reader{all, {rules_.drive, unit_.names}};
         reader.read(line, unit_.unit);
         std::vector<held_text> before;
         for (chosen_register const& each : all) {
@@ -268,6 +268,9 @@ private:
         std::string const why =
             log_write({chosen_.line.port, unit, label_of({value.where, value.entry}), shown(before), shown(after)});
         std::string note = why.empty() ? std::string{} : "not noted: " + why;
+        if (value.named != nullptr and value.named->is_stored) {
+            append(note, "the unit stores it, and its memory bears a limited number of writes");
+        }
         if (rules_.drive != nullptr and value.where.address == rules_.drive->layout.cmi) {
             append(note, why.empty() ? "saved to EEPROM " + std::to_string(count_saves(chosen_.line.port, unit)) +
                                            " times by this user"

@@ -70,7 +70,14 @@ std::string register_file_text()
            "  address = 1000\n"
            "  bits = \"4-7\"          one number of some bits, or \"3\"\n"
            "  type = \"f32\"          order = \"cdab\", scale = 0.1, unit = \"V\", offset = -50: as those of a place\n"
-           "  access = \"write\"      else it is only read;  min = 0  max = 400: what is written, in the unit\n";
+           "  access = \"write\"      else it is only read;  min = 0  max = 400: what is written, in the unit\n"
+           "  choices = { off = 0, heat = 1 }   all that it may be, by name;  invalid = 0x7FFF: it has no value\n"
+           "  setting = true        it is backed up and restored;  stored = true: a write wears the unit's memory\n"
+           "  moves = true          it moves something: never written without --allow-run\n"
+           "  group = \"slow\"        @slow means all of it\n"
+           "and for the whole device\n"
+           "  [groups]              slow = \"5min\": how often watch reads a group\n"
+           "  [device]              max_registers = 16: of one request;  pause = 50: ms before each\n";
 }
 
 } // namespace tool

@@ -3,7 +3,7 @@
 #include "line/reading.hpp"
 
 #include "catalog/value_text.hpp"
-#include "words/place_value.hpp"
+#include "words/named_value.hpp"
 
 namespace tool {
 
@@ -78,7 +78,8 @@ reading reading_of(chosen_register const& which, register_reader const& from, dr
     if (is_named(which) and where.bit < 0 and drive != nullptr) {
         explain(it, which, held.words[0], from, *drive);
     } else {
-        formed_value const formed = value_of(where, held.words);
+        formed_value const formed =
+            which.named != nullptr ? value_of(*which.named, held.words) : value_of(where, held.words);
         it.value = formed.value;
         it.text = formed.text;
         it.measure = where.form.unit;

@@ -47,13 +47,6 @@ words_read words_of(open_line& line, rtuwire::unit_id unit, register_space space
     return words_by(line, unit, rtuwire::read_holding_registers{.start = start, .count = count}, registers);
 }
 
-unsigned limit_of(register_space space, drive_catalog const* drive)
-{
-    return space >= register_space::coil                           ? rtuwire::max_bit_quantity
-           : drive != nullptr and space == register_space::holding ? drive->limits.read
-                                                                   : rtuwire::max_read_quantity;
-}
-
 } // namespace
 
 held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where)
@@ -63,13 +56,14 @@ held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where
     return {read.why, std::move(read.words), read.why == errc::none ? std::string{} : line.words_of_failure(read.why)};
 }
 
-register_reader::register_reader(std::vector<chosen_register> const& chosen, drive_catalog const* drive) : drive_{drive}
+register_reader::register_reader(std::vector<chosen_register> const& chosen, vocabulary const& known)
+    : drive_{known.drive}, names_{known.names}
 {
     std::set<run> runs;
     for (chosen_register const& each : chosen) {
         runs.insert(run_of(each.where));
-        if (each.entry != nullptr and drive != nullptr and not each.entry->steps_set_by.empty()) {
-            if (register_entry const* const other = drive->by_code(each.entry->steps_set_by)) {
+        if (each.entry != nullptr and drive_ != nullptr and not each.entry->steps_set_by.empty()) {
+            if (register_entry const* const other = drive_->by_code(each.entry->steps_set_by)) {
                 runs.insert(run_of({other->address}));
             }
         }
@@ -103,12 +97,23 @@ bool register_reader::may_reach(run const& from, run const& to) const
     return true;
 }
 
+unsigned register_reader::limit_of(register_space space) const
+{
+    if (space >= register_space::coil) {
+        return rtuwire::max_bit_quantity;
+    }
+    bool const is_of_drive = drive_ != nullptr and space == register_space::holding;
+    unsigned const most =
+        names_ == nullptr ? rtuwire::max_read_quantity : names_->max_registers.value_or(rtuwire::max_read_quantity);
+    return is_of_drive ? drive_->limits.read : most;
+}
+
 void register_reader::add(run const& one)
 {
     if (not blocks_.empty() and blocks_.back()[0].space == one.space) {
         run const last = whole(blocks_.back());
         unsigned const size = std::max(last.end(), one.end()) - last.start;
-        if (size <= limit_of(one.space, drive_) and may_reach(last, one)) {
+        if (size <= limit_of(one.space) and may_reach(last, one)) {
             blocks_.back().push_back(one);
             return;
         }

@@ -33,8 +33,9 @@ held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where
 
 class register_reader {
 public:
-    /// With the registers that set the steps of those that were chosen. Without a drive (null) up to 125 at once.
-    register_reader(std::vector<chosen_register> const& chosen, drive_catalog const* drive);
+    /// With the registers that set the steps of those that were chosen. Without a drive (null) up to 125 at once, or as many
+    /// as a register file says.
+    register_reader(std::vector<chosen_register> const& chosen, vocabulary const& known);
 
     /// One round. What a unit refuses together is read in halves, and in the next round as this one left them. Ends where
     /// the port fails.
@@ -73,10 +74,12 @@ private:
     void add(run const& one);
     /// Whether a request over both meets only registers that somebody asked for, or that the drive has.
     bool may_reach(run const& from, run const& to) const;
+    unsigned limit_of(register_space space) const;
     rtuwire::errc ask(open_line& line, rtuwire::unit_id unit, block const& which);
     rtuwire::errc read_parts(open_line& line, rtuwire::unit_id unit, block const& which, std::vector<block>& learned);
 
     drive_catalog const* drive_;
+    named_places const* names_;
     std::vector<block> blocks_{};
     std::map<run, held_words> held_{};
     rtuwire::errc first_error_{};

@@ -61,9 +61,9 @@ std::string add_to_log(std::string const& lines)
 
 std::string write_log_file()
 {
-    std::string const state = variable("XDG_STATE_HOME");
+    std::string const state = variable("XDG_STATE_HOME"); // its specification: a relative one is ignored
     std::string const home = variable("HOME");
-    if (not state.empty()) {
+    if (state.starts_with('/')) {
         return state + "/rtuwire/writes.log";
     }
     return home.empty() ? std::string{} : home + "/.local/state/rtuwire/writes.log";

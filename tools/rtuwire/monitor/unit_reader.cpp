@@ -74,7 +74,7 @@ void unit_reader::begin(drive_catalog const* drive)
         state_reader_.emplace(std::vector{whole_register(*drive, drive->layout.eta)}, drive);
         all.push_back(whole_register(*drive, drive->layout.lft));
     }
-    reader_.emplace(all, drive);
+    reader_.emplace(all, vocabulary{drive, unit_.names});
     for (chosen_register const& each : registers_) {
         shown_.values.push_back(
             {label_of(each), each.entry == nullptr ? std::string{} : std::string{each.entry->name}});

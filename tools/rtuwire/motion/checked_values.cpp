@@ -22,6 +22,19 @@ void refuse_if_wrong(value_to_write const& value, write_rules const& rules, choi
     if (rules.drive != nullptr) {
         refuse_unsafe_write(value, *rules.drive, chosen);
     }
+    refuse_what_moves(value, chosen.allowed);
+}
+
+/// Two forms of one register of what is no drive: one of them is not what somebody wants there.
+void refuse_overlap(std::vector<value_to_write> const& before, value_to_write const& one,
+                    std::vector<std::string> const& words)
+{
+    auto const other =
+        std::ranges::find_if(before, [&one](value_to_write const& each) { return overlap(each.where, one.where); });
+    if (other != before.end()) {
+        refuse_word("'" + words[before.size()] + "' and '" + words[static_cast<std::size_t>(other - before.begin())] +
+                    "' write one register: say one of them");
+    }
 }
 
 } // namespace
@@ -38,7 +51,7 @@ std::vector<value_to_write> checked_values(std::vector<std::string> const& words
             needed.push_back({{each->address}, each});
         }
     }
-    register_reader limits{needed, rules.drive};
+    register_reader limits{needed, meant};
     limits.read(line, unit.unit);
     std::vector<value_to_write> values;
     known_words const known = [&](std::string_view code) -> std::optional<std::uint16_t> {
@@ -54,6 +67,9 @@ std::vector<value_to_write> checked_values(std::vector<std::string> const& words
             throw ended{status_of(limits.first_error()), "'" + word + "' is limited by " +
                                                              std::string{value.needed.front()->code} +
                                                              ", which could not be read: " + limits.first_failure()};
+        }
+        if (rules.drive == nullptr) {
+            refuse_overlap(values, value, words);
         }
         values.push_back(value);
     }

@@ -134,6 +134,14 @@ void refuse_command(value_to_write const& value, write_rules const& rules, choic
     }
 }
 
+void refuse_what_moves(value_to_write const& value, permissions const& allowed)
+{
+    if (value.named != nullptr and value.named->moves) {
+        refuse_without_run(allowed, value.named->where.name + " moves something, as its register file says in line " +
+                                        std::to_string(value.named->line));
+    }
+}
+
 void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, choices const& chosen)
 {
     permissions const& allowed = chosen.allowed;

@@ -23,6 +23,9 @@ void refuse_command(value_to_write const& value, write_rules const& rules, choic
 /// yet, because another register sets its step, is looked at once it is.
 void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, choices const& chosen);
 
+/// Ends the command where a register file says that something moves after a value, and --allow-run was not said.
+void refuse_what_moves(value_to_write const& value, permissions const& allowed);
+
 /// Why none of these values may be written now: one of them changes how a running motor turns, --allow-run was not said,
 /// and the drive is not read to be without power, its output frequency 0. Nothing where they may. Asks the drive where
 /// that depends on it; what it said is as old as that answer, so this is asked before each write.

@@ -48,13 +48,25 @@ named_place const* named_places::overlapping(place const& where) const noexcept
     return found == places.end() ? nullptr : &*found;
 }
 
-std::string why_no_name(std::string_view name)
+named_group const* named_places::group_named(std::string_view name) const noexcept
+{
+    auto const found =
+        std::ranges::find_if(groups, [name](named_group const& each) { return is_same_word(each.name, name); });
+    return found == groups.end() ? nullptr : &*found;
+}
+
+std::string why_no_word(std::string_view word)
 {
     auto const is_letter = [](char c) { return (c >= 'a' and c <= 'z') or (c >= 'A' and c <= 'Z'); };
-    bool const is_word = not name.empty() and is_letter(name[0]) and name.size() <= longest_name and
-                         std::ranges::all_of(name, [&](char c) { return is_letter(c) or is_digit(c) or c == '_'; });
-    if (not is_word) {
-        return "a name begins with a letter and has letters, digits and _, at most 40 of them";
+    bool const is_word = not word.empty() and is_letter(word[0]) and word.size() <= longest_name and
+                         std::ranges::all_of(word, [&](char c) { return is_letter(c) or is_digit(c) or c == '_'; });
+    return is_word ? std::string{} : "a name begins with a letter and has letters, digits and _, at most 40 of them";
+}
+
+std::string why_no_name(std::string_view name)
+{
+    if (std::string why = why_no_word(name); not why.empty()) {
+        return why;
     }
     // `watch` has these beside the names of registers.
     for (std::string_view const column : {"time", "seconds", "unit", "error"}) {

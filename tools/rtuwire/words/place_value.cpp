@@ -167,12 +167,20 @@ formed_value bits_value(place const& where, std::uint16_t word)
         bool const is_set = (word >> (where.bit < 0 ? 0 : where.bit) & 1) != 0;
         return {is_set, is_set ? "1" : "0"};
     }
-    int const width = where.last_bit - where.bit + 1;
-    int const number = word >> where.bit & ((1 << width) - 1);
-    return {std::int64_t{number}, std::to_string(number)};
+    auto const number = static_cast<std::int64_t>(bits_of(where, std::span{&word, 1}));
+    return {number, std::to_string(number)};
 }
 
 } // namespace
+
+std::uint64_t bits_of(place const& where, std::span<std::uint16_t const> words)
+{
+    if (where.is_single_bit() or where.bit < 0) {
+        return where.is_single_bit() ? words[0] : bits_of(where.form, words);
+    }
+    unsigned const width = where.last_bit < 0 ? 1U : static_cast<unsigned>(where.last_bit - where.bit + 1);
+    return words[0] >> where.bit & ((1U << width) - 1U);
+}
 
 std::string hex_words(std::span<std::uint16_t const> words)
 {

@@ -32,6 +32,9 @@ struct words_typed {
 };
 [[nodiscard]] words_typed words_for(place const& where, std::string_view text);
 
+/// All bits of a number of up to four registers, its highest byte first; of a bit or some bits of a register these.
+[[nodiscard]] std::uint64_t bits_of(place const& where, std::span<std::uint16_t const> words);
+
 /// The words as one number in hexadecimal, as they came: "0x42480000".
 [[nodiscard]] std::string hex_words(std::span<std::uint16_t const> words);
 

@@ -79,6 +79,14 @@ std::size_t size_of_exponent(std::string_view text)
     return size > first ? size : 0;
 }
 
+/// "; 0xFF if it is hexadecimal" of what looks like it.
+std::string hint_at_hex(std::string_view text)
+{
+    constexpr std::string_view digits = "0123456789abcdefABCDEF";
+    bool const is_hex = not text.empty() and text.size() <= 16 and text.find_first_not_of(digits) == text.npos;
+    return is_hex ? "; say 0x" + std::string{text} + " if it is hexadecimal" : std::string{};
+}
+
 typed_number number_typed(std::string_view text, bool may_have_exponent)
 {
     typed_number typed;
@@ -102,7 +110,7 @@ typed_number number_typed(std::string_view text, bool may_have_exponent)
     if (count > 0 and typed.unit.size() > 1 and typed.unit[0] == ',' and is_digit(typed.unit[1])) {
         typed.wrong = decimal_comma_text;
     } else if (count == 0) {
-        typed.wrong = "it takes a number: 25, 0x0019, #25 for a count without its scale";
+        typed.wrong = "it takes a number: 25, 0x0019, #25 for a count without its scale" + hint_at_hex(text);
     }
     typed.is_long = count > most_digits or typed.places > most_places;
     typed.unit.remove_prefix(std::min(typed.unit.find_first_not_of(' '), typed.unit.size()));
@@ -292,10 +300,13 @@ template <typename Number> words_typed words_of_float(place const& where, std::s
     double const scaled = (amount - decimal(form.offset)) / decimal(form.factor);
     bool const is_beyond =
         read.ec != std::errc{} and not digits_of(number).digits.empty() and digits_of(number).power > 0;
-    if (is_beyond or not(std::abs(scaled) <= static_cast<double>((std::numeric_limits<Number>::max)()))) {
+    // The greatest number, written with few digits, may be above it.
+    constexpr auto greatest = static_cast<double>((std::numeric_limits<Number>::max)());
+    constexpr double half_a_step = sizeof(Number) == 4 ? 0x1p103 : 0.0;
+    if (is_beyond or not(std::abs(scaled) < greatest + half_a_step or std::abs(scaled) <= greatest)) {
         return {.wrong = "more than its type holds"};
     }
-    auto const held = static_cast<Number>(scaled);
+    auto const held = static_cast<Number>(std::clamp(scaled, -greatest, greatest));
     double const shown = form.factor == short_decimal{1, 0} and form.offset == short_decimal{}
                              ? static_cast<double>(held)
                              : static_cast<double>(held) * decimal(form.factor) + decimal(form.offset);
@@ -360,7 +371,10 @@ words_typed words_for(place const& where, std::string_view text)
                    : words_of_raw(where, text.substr(1));
     }
     typed_number typed = number_typed(text, is_float);
-    typed.wrong = typed.wrong.empty() ? why_not_unit(typed.unit, where.form.unit) : typed.wrong;
+    if (typed.wrong.empty()) {
+        typed.wrong = why_not_unit(typed.unit, where.form.unit);
+        typed.wrong += typed.wrong.empty() ? std::string{} : hint_at_hex(text);
+    }
     if (not typed.wrong.empty()) {
         return {.wrong = typed.wrong};
     }

@@ -26,6 +26,15 @@ refusal unknown(std::string kind, std::string_view culprit, std::string_view wha
     return {std::move(kind), std::string{culprit}, with_nearest(sentence, nearest), std::string{nearest}};
 }
 
+std::string listed(std::span<std::string_view const> words)
+{
+    std::string all;
+    for (std::string_view const each : words) {
+        all += (all.empty() ? "" : ", ") + std::string{each};
+    }
+    return all;
+}
+
 /// A mnemonic may be right, and its register one of which no public list tells.
 std::string not_among(drive_catalog const& drive)
 {
@@ -39,13 +48,13 @@ public:
     explicit collector(vocabulary const& known) noexcept : drive_{known.drive}, names_{known.names} {}
 
     void add(std::uint16_t address, int bit = -1) { add(place{.address = address, .bit = bit}); }
-    void add(place const& where)
+    void add(place const& where, named_place const* named = nullptr)
     {
         place key = where;
         key.is_space_said = false;
         if (seen_.insert(key).second) {
             bool const is_of_drive = drive_ != nullptr and where.space == register_space::holding;
-            found_.push_back({where, is_of_drive ? drive_->at(where.address) : nullptr});
+            found_.push_back({where, is_of_drive ? drive_->at(where.address) : nullptr, named});
         }
     }
 
@@ -54,6 +63,7 @@ public:
 
 private:
     [[nodiscard]] refusal_or_none add_names(std::string_view word);
+    [[nodiscard]] refusal_or_none add_named_group(std::string_view word);
     [[nodiscard]] refusal_or_none add_places(std::string_view word);
     [[nodiscard]] refusal_or_none add_numbers(std::string_view word, std::size_t dash);
     [[nodiscard]] refusal_or_none add_group(std::string_view word);
@@ -83,7 +93,7 @@ refusal_or_none collector::add_word(std::string_view word)
         return add_places(word);
     }
     if (names_ != nullptr and not word.empty() and not is_digit(word[0])) {
-        return add_names(word);
+        return word[0] == '@' ? add_named_group(word) : add_names(word);
     }
     if (register_entry const* const entry = drive_ == nullptr ? nullptr : drive_->by_menu(word); entry != nullptr) {
         add(entry->address);
@@ -114,13 +124,35 @@ refusal_or_none collector::add_names(std::string_view word)
     for (named_place const& each : names_->places) {
         known.push_back(each.where.name);
         if (matches(word, each.where.name)) {
-            add(each.where);
+            add(each.where, &each);
             ++matched;
         }
     }
     return matched > 0
                ? refusal_or_none{}
                : unknown("unknown_register", word, names_->file + " has no such register", nearest_word(word, known));
+}
+
+/// All registers of a group of the register file.
+refusal_or_none collector::add_named_group(std::string_view word)
+{
+    std::vector<std::string_view> known;
+    for (named_group const& each : names_->groups) {
+        known.push_back(each.name);
+    }
+    named_group const* const group = names_->group_named(word.substr(1));
+    if (group == nullptr) {
+        std::string_view const nearest = nearest_word(word.substr(1), known);
+        return unknown("unknown_group", word,
+                       names_->file + (known.empty() ? " has no groups" : " has no such group, but " + listed(known)),
+                       nearest.empty() ? std::string{} : '@' + std::string{nearest});
+    }
+    for (named_place const& each : names_->places) {
+        if (each.group == group->name) {
+            add(each.where, &each);
+        }
+    }
+    return {};
 }
 
 refusal_or_none collector::add_places(std::string_view word)
@@ -168,13 +200,10 @@ refusal_or_none collector::add_group(std::string_view word)
     if (std::any_of(names.begin(), names.end(), [name](auto each) { return is_same_word(each, name); })) {
         return {};
     }
-    std::string all;
-    for (std::string_view const each : names) {
-        all += (all.empty() ? "" : ", ") + std::string{each};
-    }
     std::string_view const nearest = nearest_word(name, names);
     std::string const shown = nearest.empty() ? std::string{} : "@" + std::string{nearest};
-    return unknown("unknown_group", word, "an " + std::string{drive_->name} + " has no such group, but " + all, shown);
+    return unknown("unknown_group", word,
+                   "an " + std::string{drive_->name} + " has no such group, but " + listed(names), shown);
 }
 
 refusal_or_none collector::add_matches(std::string_view word)

@@ -20,10 +20,11 @@
 
 namespace tool {
 
-/// A place that was asked for, and what a drive has there.
+/// A place that was asked for, and what a drive has there, or a register file says of it.
 struct chosen_register {
     place where;
-    register_entry const* entry; ///< null where no table knows the address
+    register_entry const* entry;       ///< null where no table knows the address
+    named_place const* named{nullptr}; ///< where it was asked for by its name, or its group's
 
     friend bool operator==(chosen_register const&, chosen_register const&) = default;
 };

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 #include <utility>
-#include <variant>
 
 #include <rtuwire/frames.hpp>
 
@@ -14,6 +12,7 @@
 #include "catalog/register_limits.hpp"
 #include "catalog/value_text.hpp"
 #include "words/amount_words.hpp"
+#include "words/named_value.hpp"
 #include "words/place_value.hpp"
 #include "words/register_words.hpp"
 
@@ -102,9 +101,9 @@ private:
     /// What a register file says of a place counts by whatever words it is meant.
     bool check_name(std::string_view typed)
     {
-        named_ = names_ == nullptr ? nullptr : names_->by_name(typed);
+        found_.named = names_ == nullptr ? nullptr : names_->by_name(typed);
         named_place const* const met =
-            named_ != nullptr or names_ == nullptr ? named_ : names_->overlapping(found_.where);
+            found_.named != nullptr or names_ == nullptr ? found_.named : names_->overlapping(found_.where);
         if (met == nullptr) {
             return true;
         }
@@ -112,28 +111,8 @@ private:
             return refuse("read_only", met->where.name + " is read only: " + names_->file + ":" +
                                            std::to_string(met->line) + " gives it no access = \"write\"");
         }
-        return named_ != nullptr or refuse("wrong_place", "this is " + met->where.name + " of " + names_->file +
-                                                              ", which has a form and limits: say that name");
-    }
-
-    bool check_named_limits()
-    {
-        if (named_ == nullptr or (not named_->lowest and not named_->highest)) {
-            return true;
-        }
-        cell const value = value_of(named_->where, found_.words).value;
-        double const amount =
-            std::holds_alternative<double>(value)          ? std::get<double>(value)
-            : std::holds_alternative<std::int64_t>(value)  ? static_cast<double>(std::get<std::int64_t>(value))
-            : std::holds_alternative<std::uint64_t>(value) ? static_cast<double>(std::get<std::uint64_t>(value))
-                                                           : std::numeric_limits<double>::quiet_NaN();
-        bool const is_within = amount >= named_->lowest.value_or(amount) and amount <= named_->highest.value_or(amount);
-        std::string const unit = named_->where.form.unit.empty() ? "" : ' ' + named_->where.form.unit;
-        auto const text = [&unit](std::optional<double> const& limit) { return text_of_cell(*limit) + unit; };
-        return is_within or refuse("beyond_limits", named_->where.name + " takes" +
-                                                        (named_->lowest ? " at least " + text(named_->lowest) : "") +
-                                                        (named_->lowest and named_->highest ? " and" : "") +
-                                                        (named_->highest ? " at most " + text(named_->highest) : ""));
+        return found_.named != nullptr or refuse("wrong_place", "this is " + met->where.name + " of " + names_->file +
+                                                                    ", which has a form and limits: say that name");
     }
 
     /// What a drive's register is, its table says: a form may not contradict it.
@@ -158,16 +137,13 @@ private:
     /// Leaves the words that a text stands for by the form of its place, or refuses.
     bool read_formed(std::string_view text)
     {
-        words_typed typed = words_for(found_.where, text);
+        words_typed typed = found_.named != nullptr ? words_for(*found_.named, text) : words_for(found_.where, text);
         if (not typed.wrong.empty()) {
             return refuse("not_a_number", typed.wrong);
         }
         found_.words = std::move(typed.words);
-        if (not check_named_limits()) {
-            return false;
-        }
         count_ = typed.count;
-        bool const is_plain = count_ and found_.where.form.said.empty();
+        bool const is_plain = count_ and found_.where.form.said.empty() and found_.named == nullptr;
         found_.text = is_plain ? std::to_string(*count_) : found_.text_of_words(found_.words);
         return true;
     }
@@ -327,7 +303,6 @@ private:
     bool is_by_address_{false};
     drive_catalog const* drive_;
     named_places const* names_;
-    named_place const* named_{nullptr};
     known_words const& known_;
     value_to_write found_{};
     std::optional<std::int64_t> count_{};
@@ -401,6 +376,9 @@ std::string value_to_write::text_of_words(std::span<std::uint16_t const> held) c
 {
     if (entry != nullptr) {
         return step ? full_text(*entry, held[0], *step) : std::to_string(entry->count_of(held[0])) + " steps";
+    }
+    if (named != nullptr) {
+        return value_of(*named, held).text;
     }
     bool const is_plain = where.form.said.empty() and not where.is_single_bit();
     return is_plain ? std::to_string(held[0]) : value_of(where, held).text;

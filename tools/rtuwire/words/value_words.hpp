@@ -31,6 +31,7 @@ using known_words = std::function<std::optional<std::uint16_t>(std::string_view 
 struct value_to_write {
     place where{0};
     register_entry const* entry{nullptr}; ///< null where no table knows the address
+    named_place const* named{nullptr};    ///< where it is written by its name in a register file
     std::vector<std::uint16_t> words{};   ///< what stands on the wire; of a drive one; of a coil 0 or 1
     std::string text{};                   ///< the same for people: "1.3 s"
     std::optional<step_size> step{};      ///< of one count of a drive's register, where it is known
