@@ -53,6 +53,10 @@ TEST_CASE("registers are named by mnemonics, numbers, ranges, patterns, groups a
     CHECK(selected({"*D"}).find("8602 LFRD") != std::string::npos);
     CHECK(selected({"ETA.fault", "eta.3", "ETA.switch-on-disabled", "3201.0"}) == "3201.3 ETA, 3201.6 ETA, 3201.0 ETA");
     CHECK(selected({"@thermal"}) == "3209 THD, 9630 THR");
+    CHECK(selected({"group:thermal"}) == "3209 THD, 9630 THR");
+    CHECK(selected({"GROUP:Thermal"}) == "3209 THD, 9630 THR");
+    CHECK(refused("group:motor_contrl").nearest == "group:motor_control");
+    CHECK(selected({"group:monitor"}, nullptr) == "no_drive");
     CHECK(selected({"@Ramps"}) == "9020 INR, 9001 ACC, 9002 DEC, 9012 AC2, 9013 DE2");
 }
 

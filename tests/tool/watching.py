@@ -8,9 +8,10 @@
 import json
 import os
 import signal
+import time
 from datetime import datetime
 
-from support import DONE, LIMIT, NO_ANSWER, Simulator, Tool, Units, runs
+from support import DONE, LIMIT, NO_ANSWER, USAGE, Simulator, Tool, Units, runs
 
 COUNT = 20  # registers
 RATE = 19_200
@@ -65,6 +66,86 @@ def check_silence(tool, check):
         check(ended.status == NO_ANSWER, "silent to the end: status 3", ended)
 
 
+METER = """[[register]]
+name = "power"
+address = 100
+unit = "W"
+
+[[register]]
+name = "hours"
+address = 110
+"""
+RFR, LCR = 3202, 3204
+
+
+def several(line, *units):
+    return ["--port", line.name, "--no-listen", "--name", "fan=7:atv320", "--timeout", 0.3, "--retries", 0,
+            *(word for each in units for word in ("-u", each))]
+
+
+def check_units(tool, check):
+    """A drive and two meters on one line: their columns are told apart, in each form."""
+    for name in ("meter.toml", "other.toml"):
+        (tool.place / name).write_text(METER.replace("power", "load" if name == "other.toml" else "power"))
+    with Units({7: {RFR: 400, LCR: 12}, 61: {100: 230, 110: 9}, 62: {100: 231, 110: 8}}) as line:
+        how, briefly = several(line, "fan", "61,62"), ["--every", "50ms", "--for", "0.12s"]
+        ended = tool.run(*how, "--device", "meter.toml", "--csv", "watch", "RFR", "power", "LCR@fan", "hours@62", *briefly)
+        check(ended.status == DONE and ended.output.startswith(
+            "time,seconds,RFR@fan,LCR@fan,error@fan,power@unit61,error@unit61,power@unit62,hours@unit62,error@unit62\n"),
+            "columns of each unit, a drive beside a register file", ended)
+        check(ended.rows()[0]["RFR@fan"] == "40" and ended.rows()[0]["power@unit62"] == "231", "and their values", ended)
+        check("fan has no power" in ended.errors and "unit61 has no RFR" in ended.errors, "what is not asked of whom is said", ended)
+        found = tool.run(*how, "--device", "meter.toml", "--json", "watch", "RFR@7,power@61,power@62", *briefly).objects()[0]
+        check([found[each] for each in ("RFR@fan", "power@unit61", "power@unit62", "error@unit61")] == [40, 230, 231, None],
+              "the same in JSON", found)
+        ended = tool.run(*how, "--device", "meter.toml", "watch", "RFR", "power", *briefly)
+        check("power@unit62" in ended.output and "40.0 Hz" in ended.output and "231 W" in ended.output, "and in a table", ended)
+        named = ["--name", "main=61:meter.toml", "--name", "sub=62:other.toml"]
+        ended = tool.run(*several(line, "main,sub"), *named, "--csv", "watch", "power", "load", *briefly)
+        check(ended.rows()[0]["power@main"] == "230" and ended.rows()[0]["load@sub"] == "231", "each name its register file", ended)
+        found = tool.run(*several(line, "fan,61"), "--device", "meter.toml", "--json", "read", "RFR", "power").objects()
+        check([(each["unit"], each["register"]) for each in found] == [(7, "RFR"), (61, "power")], "read does the same", found)
+        asked = len(line.requests)
+        for words, parts in ((["powr"], ["powr", "power"]), (["RFR@fun", "power"], ["'fun'", "'fan'"]), (["RFR@fan"], ["unit61"]),
+                             (["RFR@"], ["RFR@"])):
+            ended = tool.run(*several(line, "fan,61"), "--device", "meter.toml", "watch", *words)
+            check(ended.status == USAGE and all(each in ended.errors for each in parts), f"{words} is refused", ended)
+        for names, parts in ((["unit61=62"], ["unit61", "62"]), (["x=61:no.toml"], ["no.toml"]), (["x=61:atv99"], ["atv99"])):
+            ended = tool.run(*several(line, "61,62"), *(word for each in names for word in ("--name", each)), "watch", "100")
+            check(ended.status == USAGE and all(each in ended.errors for each in parts), f"{names} is refused", ended)
+        ended = tool.run(*several(line, "7,fan"), "--name", "mixer=8:atv12", "-u", "8", "--device", "meter.toml", "watch", "RFR")
+        check(ended.status == USAGE and "meter.toml" in ended.errors, "a register file of drives is refused", ended)
+        check(len(line.requests) == asked, "before anything is sent")
+
+
+def check_silent_unit(tool, check):
+    """One that is silent holds up the others for one time-out, less and less often, and is read again when it is back."""
+    (tool.place / "meter.toml").write_text(METER)
+    units = {7: {RFR: 400}, 61: {100: 230, 110: 9}}
+    with Units(dict(units)) as line:
+        ended = tool.run(*several(line, "9,fan"), "--csv", "watch", "RFR", "--every", "50ms", "--for", "0.2s")
+        row = ended.rows()[-1]
+        check(ended.status == NO_ANSWER and list(row)[2:] == ["error@unit9", "RFR@fan", "error@fan"] and row["error@unit9"] and
+              row["RFR@fan"] == "40", "one that does not say which drive it is has an error, and the other its values", ended)
+        process = tool.start(*several(line, "61,fan,9"), "--device", "meter.toml", "--json", "watch", "RFR@fan", "power@61",
+                             "hours@61", "power@9", "--every", "50ms", "--for", f"{LIMIT}s")
+        row = next(row for row in map(json.loads, process.stdout) if row["power@unit61"] == 230)
+        check(row["RFR@fan"] == 40 and row["error@unit9"] and not row["error@fan"], "one is silent from the beginning", row)
+        line.units = {7: {RFR: 410}}
+        gone, asked = time.monotonic(), len(line.requests)
+        rows = [json.loads(process.stdout.readline()) for _ in range(20)]
+        check(rows[-1]["RFR@fan"] == 41 and rows[-1]["error@unit61"] and rows[-1]["hours@unit61"] is None and not rows[-1]["error@fan"],
+              "another falls silent, and the rest goes on", rows[-1])
+        silent = sum(request[0] == 61 for request in line.requests[asked:])
+        check(silent < 8, f"it is asked less often: {silent} of {len(rows)} rounds in {time.monotonic() - gone:.1f} s")
+        line.units = units
+        row = next(row for row in map(json.loads, process.stdout) if not row["error@unit61"])
+        check(row["power@unit61"] == 230 and row["hours@unit61"] == 9, "it is back", row)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=LIMIT)
+        check(process.returncode == NO_ANSWER, "the status is that of the one that was silent to the end", process.returncode)
+
+
 def check_suspension(tool, check):
     """A watch that is suspended keeps nobody from the line, as from a stop; it is over when it goes on."""
     with Simulator(tool.program, "atv320:7") as device:
@@ -96,7 +177,8 @@ def check_share(tool, check):
 
 def main(check, program, part=""):
     with Tool(program) as tool:
-        for each in (check_share,) if part == "share" else (check_period, check_reader, check_silence, check_suspension):
+        for each in (check_share,) if part == "share" else (check_period, check_reader, check_silence, check_units,
+                                                                 check_silent_unit, check_suspension):
             each(tool, check)
 
 

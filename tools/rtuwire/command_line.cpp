@@ -3,6 +3,7 @@
 #include "command_line.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -241,6 +242,29 @@ exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
     return exit_status::usage;
 }
 
+/// Before anything is opened. The longest pause that one of them wants is that of the line, unless one is typed.
+void read_register_files(choices& chosen, bool has_pause)
+{
+    constexpr std::string_view by_name[]{"read", "watch", "monitor", "write"};
+    line_choices& line = chosen.line;
+    bool const knows_names = std::ranges::count(by_name, chosen.command) > 0;
+    if (not line.device.empty() and not knows_names) {
+        refuse_word("--device: read, watch, monitor and write know register files, '" + chosen.command + "' does not");
+    }
+    std::vector<std::string> files;
+    for (named_unit const& each : knows_names ? names_in(line) : std::vector<named_unit>{}) {
+        files.push_back(is_register_file(each.drive) ? each.drive : std::string{});
+    }
+    files.push_back(line.device);
+    std::optional<unsigned> pause;
+    for (std::string const& each : files) {
+        if (not each.empty()) {
+            pause = std::max(pause, register_file_at(each).pause);
+        }
+    }
+    line.pause = has_pause ? line.pause : pause.value_or(line.pause);
+}
+
 } // namespace
 
 parsed parse(int argc, char** argv)
@@ -272,15 +296,7 @@ parsed parse(int argc, char** argv)
         refuse_word(wrong);
     }
     mend(app, chosen, of_file);
-    if (constexpr std::string_view by_name[]{"read", "watch", "monitor", "write"};
-        not chosen.line.device.empty() and std::ranges::count(by_name, chosen.command) == 0) {
-        refuse_word("--device: read, watch, monitor and write know register files, '" + chosen.command + "' does not");
-    }
-    if (not chosen.line.device.empty()) { // before anything is opened
-        named_places const& device = register_file_at(chosen.line.device);
-        bool const is_typed = app.get_option("--pause")->count() > 0;
-        chosen.line.pause = is_typed ? chosen.line.pause : device.pause.value_or(chosen.line.pause);
-    }
+    read_register_files(chosen, app.get_option("--pause")->count() > 0);
     chosen.line.typed = typed_in(app, argc > 0 ? argv[0] : "");
     if (chosen.command == "completion" or chosen.command == "man") {
         return {std::nullopt, print_own_text(app, chosen)};

@@ -27,14 +27,18 @@ void add_line_options(CLI::App& app, line_choices& line)
 {
     app.add_option("-p,--port", line.port, "/dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3 or a capture file");
     app.add_option("-u,--unit", line.unit,
-                   "the unit's address, or a name given by --name; for read and monitor a list, 2,5,10-14")
+                   "the unit's address, or a name given by --name; for read, watch and monitor a list, 2,5,10-14, or "
+                   "-u 2 -u 5")
+        ->join(',')
         ->capture_default_str();
     app.add_option("-b,--baud", line.baud, "bits a second")->capture_default_str();
     app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
     app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it; none: it is no drive");
     app.add_option("--device", line.device,
                    "a register file of what is no drive: names of its registers for read, watch, monitor, write");
-    app.add_option("--name", line.names, "a unit's name: fan=7:atv320")->allow_extra_args(false);
+    app.add_option("--name", line.names,
+                   "a unit's name, and its type or register file: fan=7:atv320, meter=61:meter.toml")
+        ->allow_extra_args(false);
     app.add_option("--timeout", line.response_timeout, "seconds to wait for a response")
         ->check(why_no_number)
         ->check(CLI::Range(0.001, 30.0));
@@ -113,17 +117,20 @@ void add_operands(CLI::App& command, choices& chosen, char const* name, std::str
     }
 }
 
-constexpr char const* register_words = "mnemonics (RFR), globs ('DP*'), groups (@monitor), bits (ETA.fault, 3201.3), "
-                                       "addresses (3202, 0x0C82), ranges (3201-3205), numbers of an ATV310's menu "
-                                       "(611, 705.0)";
+constexpr char const* register_words =
+    "mnemonics (RFR), globs ('DP*'), groups (@monitor, group:monitor), bits (ETA.fault, 3201.3), "
+    "addresses (3202, 0x0C82), ranges (3201-3205), numbers of an ATV310's menu "
+    "(611, 705.0)";
 
 /// Of a unit that is asked: one number, one meaning, whatever stands beside it.
 std::string register_words_of_a_unit()
 {
-    return std::string{register_words} + ". A number that this menu has means it on an ATV310, elsewhere an address or "
-                                         "a bit: without --drive the unit "
-                                         "is asked who it is. 0x0263 is an address everywhere. And places of any "
-                                         "device, as below, which ask nobody who it is";
+    return std::string{register_words} +
+           ". A number that this menu has means it on an ATV310, elsewhere an address or "
+           "a bit: without --drive the unit "
+           "is asked who it is. 0x0263 is an address everywhere. And places of any "
+           "device, as below, which ask nobody who it is. Of several units RFR@fan or RFR@7 is asked of that one "
+           "only";
 }
 
 /// Registers of a drive, and places of any device.

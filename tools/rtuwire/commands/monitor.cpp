@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "line/asked_registers.hpp"
+#include "line/asked_units.hpp"
 #include "line/end_wish.hpp"
 #include "line/line_words.hpp"
 #include "line/time_text.hpp"
 #include "monitor/draw.hpp"
 #include "monitor/line_thread.hpp"
 #include "monitor/terminal.hpp"
-#include "monitor/watched_units.hpp"
 
 namespace tool {
 
@@ -87,7 +88,7 @@ std::vector<unit_reader> readers(choices const& chosen)
     check_register_words(chosen.words, units);
     std::vector<unit_reader> all;
     for (named_unit const& each : units) {
-        all.emplace_back(each, chosen.words, chosen.line.retries + 1);
+        all.emplace_back(each, words_for(each, chosen.words, units), chosen.line.retries + 1);
     }
     return all;
 }

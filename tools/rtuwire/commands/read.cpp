@@ -6,9 +6,8 @@
 
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
+#include "line/asked_units.hpp"
 #include "line/reading.hpp"
-#include "monitor/watched_units.hpp"
-#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -39,15 +38,18 @@ record for_programs(reading const& it, chosen_register const& which, rtuwire::un
 }
 
 /// One unit's registers.
-exit_status read_unit(choices const& chosen, open_line& line, output& results, bool is_of_several)
+exit_status read_unit(asked_registers const& asked, output_form form, open_line& line, output& results,
+                      bool is_of_several)
 {
-    asked_registers const asked = registers_asked(chosen, line);
+    if (asked.failure) {
+        return asked.failure->status;
+    }
     register_reader reader{asked.registers, {asked.drive, asked.unit.names}};
     reader.read(line, asked.unit.unit);
     for (chosen_register const& each : asked.registers) {
         reading const it = reading_of(each, reader, asked.drive);
-        results.put(chosen.form == output_form::table ? for_people(it, each, asked.unit.unit, is_of_several)
-                                                      : for_programs(it, each, asked.unit.unit));
+        results.put(form == output_form::table ? for_people(it, each, asked.unit.unit, is_of_several)
+                                               : for_programs(it, each, asked.unit.unit));
     }
     return status_of(reader.first_error());
 }
@@ -56,25 +58,14 @@ exit_status read_unit(choices const& chosen, open_line& line, output& results, b
 
 exit_status run_read(choices const& chosen)
 {
-    bool const is_list = chosen.line.unit.find_first_of(",-") != std::string::npos;
-    std::vector<named_unit> const units =
-        is_list ? units_watched(chosen.line) : std::vector<named_unit>{unit_in(chosen.line)};
+    std::vector<named_unit> const units = units_asked(chosen.line);
     open_line line{chosen.line};
+    std::vector<asked_registers> const all = registers_asked(chosen.words, units, line);
+    tell_left_out(all);
     output results{chosen.form, false};
     exit_status status = exit_status::done;
-    for (named_unit const& each : units) {
-        choices one = chosen;
-        one.line.unit = each.name.empty() ? std::to_string(each.unit.byte()) : each.name;
-        exit_status outcome = exit_status::done;
-        try {
-            outcome = read_unit(one, line, results, units.size() > 1);
-        } catch (ended const& why) { // the others are read all the same
-            if (units.size() == 1 or why.status == exit_status::usage or why.status == exit_status::port) {
-                throw;
-            }
-            tell_error(why.what());
-            outcome = why.status;
-        }
+    for (asked_registers const& each : all) {
+        exit_status const outcome = read_unit(each, chosen.form, line, results, all.size() > 1);
         status = status == exit_status::done ? outcome : status;
     }
     results.finish();

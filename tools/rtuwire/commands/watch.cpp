@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Reads registers again and again, a line each time, for minutes or days: to a terminal, a pipe or a file.
+// Reads registers of one or several units again and again, a line each time, for minutes or days: to a terminal, a pipe or
+// a file.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -13,7 +14,9 @@
 
 #include "../support/signals.hpp"
 #include "commands/commands.hpp"
+#include "line/asked_less.hpp"
 #include "line/asked_registers.hpp"
+#include "line/asked_units.hpp"
 #include "line/end_wish.hpp"
 #include "line/reading.hpp"
 #include "line/time_text.hpp"
@@ -26,16 +29,16 @@ using std::chrono::steady_clock;
 
 class watching {
 public:
-    explicit watching(choices const& chosen)
-        : chosen_{chosen}, line_{chosen.line}, asked_{registers_asked(chosen, line_)}, results_{chosen.form, true}
+    explicit watching(choices const& chosen, std::vector<named_unit> const& units)
+        : chosen_{chosen}, line_{chosen.line}, results_{chosen.form, true}
     {
-        std::map<double, std::vector<chosen_register>> by_period;
-        for (chosen_register const& each : asked_.registers) {
-            by_period[period_of(each)].push_back(each);
+        std::vector<asked_registers> const all = registers_asked(chosen.words, units, line_);
+        tell_left_out(all);
+        for (asked_registers const& each : all) {
+            units_.push_back({each});
         }
-        for (auto& [period, registers] : by_period) {
-            register_reader reader{registers, {asked_.drive, asked_.unit.names}};
-            parts_.push_back({std::chrono::duration<double>{period}, std::move(reader)});
+        for (std::size_t i = 0; i < units_.size(); ++i) {
+            add_parts(i);
         }
     }
 
@@ -45,18 +48,26 @@ public:
         for (part& each : parts_) {
             each.next = began;
         }
-        while (goes_on(began)) {
+        while (not parts_.empty() and goes_on(began)) {
             read_due(began);
             show(std::chrono::duration<double>{steady_clock::now() - began}.count());
             wait_until(std::ranges::min(parts_, {}, &part::next).next, began);
         }
         results_.finish();
-        return status_of(last_error_);
+        return status();
     }
 
 private:
-    /// Registers of one period.
+    struct watched_unit {
+        asked_registers asked;
+        asked_less patience{1};
+        rtuwire::errc last_error{}; ///< of the last round in which it was read
+        std::string failure{};      ///< the same in words
+    };
+
+    /// Registers of one unit and one period.
     struct part {
+        std::size_t unit;
         std::chrono::duration<double> period;
         register_reader reader;
         unsigned long rounds{0};
@@ -65,25 +76,65 @@ private:
     };
 
     /// What --every says, else the register's group.
-    double period_of(chosen_register const& which) const
+    double period_of(watched_unit const& unit, chosen_register const& which) const
     {
         named_group const* const group =
-            which.named == nullptr ? nullptr : asked_.unit.names->group_named(which.named->group);
+            which.named == nullptr ? nullptr : unit.asked.unit.names->group_named(which.named->group);
         return chosen_.every.value_or(group == nullptr ? 1.0 : group->period);
+    }
+
+    void add_parts(std::size_t which)
+    {
+        asked_registers const& asked = units_[which].asked;
+        std::map<double, std::vector<chosen_register>> by_period;
+        for (chosen_register const& each : asked.registers) {
+            by_period[period_of(units_[which], each)].push_back(each);
+        }
+        for (auto& [period, registers] : by_period) {
+            register_reader reader{registers, {asked.drive, asked.unit.names}};
+            parts_.push_back({which, std::chrono::duration<double>{period}, std::move(reader)});
+        }
     }
 
     void read_due(steady_clock::time_point began)
     {
         auto const now = steady_clock::now();
+        std::vector<bool> is_read(units_.size(), false); // in this round
         for (part& each : parts_) {
-            each.is_read = each.next <= now;
-            if (each.is_read) {
-                each.reader.read(line_, asked_.unit.unit);
+            bool const is_due = each.next <= now;
+            each.is_read = is_due and units_[each.unit].patience.is_due(steady_clock::now());
+            if (is_due) {
                 // Counted from the beginning: no round makes the next one late for good.
                 auto const passed = each.period * static_cast<double>(++each.rounds);
                 each.next = began + std::chrono::duration_cast<steady_clock::duration>(passed);
             }
+            if (each.is_read) {
+                read(each, not is_read[each.unit]);
+                is_read[each.unit] = true;
+            }
         }
+    }
+
+    /// The first that fails in a round is told.
+    void read(part& one, bool is_first)
+    {
+        watched_unit& unit = units_[one.unit];
+        one.reader.read(line_, unit.asked.unit.unit, has_several());
+        rtuwire::errc const why = one.reader.first_error();
+        if (is_first or unit.last_error == rtuwire::errc::none) {
+            unit.last_error = why;
+            unit.failure = one.reader.first_failure();
+        }
+        bool const is_silent = has_several() and status_of(why) == exit_status::no_answer;
+        unit.patience.note(not is_silent, steady_clock::now());
+    }
+
+    bool has_several() const { return units_.size() > 1; }
+
+    /// What several units have each is told apart by the unit behind it.
+    std::string column(std::string const& label, watched_unit const& of) const
+    {
+        return has_several() ? label + '@' + name_of(of.asked.unit) : label;
     }
 
     bool is_over(steady_clock::time_point began) const
@@ -114,27 +165,49 @@ private:
 
     void show(double seconds)
     {
-        bool const is_table = chosen_.form == output_form::table;
         record line{{"time", time_text(unix_now())}, {"seconds", std::round(seconds * 1'000.0) / 1'000.0}};
-        for (chosen_register const& each : asked_.registers) {
-            part const& of =
-                *std::ranges::find(parts_, period_of(each), [](part const& one) { return one.period.count(); });
-            reading const it = reading_of(each, of.reader, asked_.drive);
-            line.add(it.label, not of.is_read ? cell{} : is_table ? cell{it.text} : it.value);
+        for (std::size_t i = 0; i < units_.size(); ++i) {
+            add_unit(line, i);
         }
-        auto const failed = std::ranges::find_if(
-            parts_, [](part const& one) { return one.is_read and one.reader.first_error() != rtuwire::errc::none; });
-        last_error_ = failed == parts_.end() ? rtuwire::errc::none : failed->reader.first_error();
-        line.add("error", failed == parts_.end() ? cell{} : cell{failed->reader.first_failure()});
         results_.put(line);
+    }
+
+    void add_unit(record& line, std::size_t which) const
+    {
+        bool const is_table = chosen_.form == output_form::table;
+        watched_unit const& unit = units_[which];
+        for (chosen_register const& each : unit.asked.registers) {
+            auto const of = std::ranges::find_if(parts_, [&](part const& one) {
+                return one.unit == which and one.period.count() == period_of(unit, each);
+            });
+            reading const it = reading_of(each, of->reader, unit.asked.drive);
+            line.add(column(it.label, unit), not of->is_read ? cell{} : is_table ? cell{it.text} : it.value);
+        }
+        bool const is_read =
+            std::ranges::any_of(parts_, [which](part const& one) { return one.unit == which and one.is_read; });
+        std::string const why = unit.asked.failure                     ? unit.asked.failure->what()
+                                : is_read or unit.patience.is_silent() ? unit.failure
+                                                                       : std::string{};
+        line.add(column("error", unit), why.empty() ? cell{} : cell{why});
+    }
+
+    /// Of the last round; of several units that of the first which lacks something.
+    exit_status status() const
+    {
+        for (watched_unit const& each : units_) {
+            exit_status const its = each.asked.failure ? each.asked.failure->status : status_of(each.last_error);
+            if (its != exit_status::done) {
+                return its;
+            }
+        }
+        return exit_status::done;
     }
 
     choices const& chosen_;
     open_line line_;
-    asked_registers asked_;
+    std::vector<watched_unit> units_{};
     std::vector<part> parts_{};
     output results_;
-    rtuwire::errc last_error_{};
 };
 
 } // namespace
@@ -143,7 +216,7 @@ exit_status run_watch(choices const& chosen)
 {
     note_signals();
     take_signal(SIGTSTP);
-    exit_status const status = watching{chosen}.run();
+    exit_status const status = watching{chosen, units_asked(chosen.line)}.run();
     if (noted.suspend != 0) {
         // Asleep it would keep the device from the `stop` of whoever has suspended it: the line is closed by now.
         std::fputs("rtuwire: suspended, and the line is closed: this watch is over\n", stderr);

@@ -13,7 +13,7 @@ known_units::known_units(line_choices const& line)
         drives_.fill(catalog_or_none(line.drive));
     }
     for (named_unit const& each : names_in(line)) {
-        if (not each.drive.empty()) {
+        if (not each.drive.empty() and not is_register_file(each.drive)) {
             drives_[each.unit.byte()] = catalog_or_none(each.drive);
         }
     }

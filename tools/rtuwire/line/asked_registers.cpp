@@ -3,9 +3,12 @@
 #include "line/asked_registers.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
+#include "line/asked_units.hpp"
 #include "line/who_is_it.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -42,20 +45,158 @@ drive_catalog const* drive_of_numbers(open_line& line, rtuwire::unit_id unit, st
                 "unit " + std::to_string(unit.byte()) + ": " + why + "; " + ambiguity_of(menu_number)};
 }
 
+drive_catalog const* table_of(open_line& line, named_unit const& unit, std::vector<std::string> const& words)
+{
+    if (not unit.drive.empty()) {
+        return catalog_or_none(unit.drive);
+    }
+    std::vector<std::string_view> const views{words.begin(), words.end()};
+    bool const has_numbers_only = not select_registers(views, nullptr).refused;
+    return has_numbers_only ? drive_of_numbers(line, unit.unit, first_menu_number(views))
+                            : &catalog_of(line, unit.unit, {});
+}
+
+asked_registers asked_of(open_line& line, named_unit const& unit, std::vector<std::string> const& words)
+{
+    asked_registers asked{.unit = unit, .drive = table_of(line, unit, words)};
+    vocabulary const known{asked.drive, unit.names};
+    std::vector<std::string> right;
+    for (std::string const& word : words) {
+        std::string_view const one[]{word};
+        if (auto const why = select_registers(one, known).refused) {
+            asked.lacks.push_back(*why);
+        } else {
+            right.push_back(word);
+        }
+    }
+    asked.registers = registers_in(right, known);
+    return asked;
+}
+
+/// Before anything is sent: the words of each unit.
+std::vector<std::vector<std::string>> words_of_each(std::vector<std::string> const& words,
+                                                    std::vector<named_unit> const& units)
+{
+    std::vector<std::vector<std::string>> all;
+    for (named_unit const& unit : units) {
+        std::vector<std::string> const& own = all.emplace_back(words_for(unit, words, units));
+        std::vector<std::string_view> const views{own.begin(), own.end()};
+        if (auto const wrong = wrong_place_in(views)) {
+            refuse(*wrong);
+        }
+    }
+    return all;
+}
+
+/// What one more unit says of a word: the nearest right one goes before a refusal without.
+void note_unknown(std::map<std::string, std::optional<refusal>>& wrong, std::string const& word,
+                  std::optional<refusal> const& why)
+{
+    auto const [found, is_new] = wrong.try_emplace(word, why);
+    bool const is_better = found->second and (not why or found->second->nearest.empty());
+    found->second = is_new or not is_better ? found->second : why;
+}
+
+void refuse_first(std::map<std::string, std::optional<refusal>> const& wrong)
+{
+    for (auto const& [word, why] : wrong) {
+        if (why) {
+            refuse(*why);
+        }
+    }
+}
+
+/// Why a word means nothing on a unit that was not asked yet who it is.
+std::optional<refusal> why_unknown(named_unit const& unit, std::string const& word)
+{
+    std::string_view const one[]{word};
+    drive_catalog const* const drive = unit.drive.empty() ? nullptr : catalog_or_none(unit.drive);
+    std::optional<refusal> why = select_registers(one, {drive, unit.names}).refused;
+    for (drive_catalog const* const each : all_catalogs()) {
+        if (why and unit.drive.empty()) {
+            why = select_registers(one, each).refused;
+        }
+    }
+    return why;
+}
+
+/// A word that none of the units knows is wrong; where one of them did not tell what it is, it may be that one's.
+void refuse_unknown(std::vector<asked_registers> const& all, std::vector<std::vector<std::string>> const& words)
+{
+    if (std::ranges::any_of(all, [](asked_registers const& each) { return each.failure.has_value(); })) {
+        return;
+    }
+    std::map<std::string, std::optional<refusal>> wrong; // of a word that some unit knows, nothing
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::string const& word : words[i]) {
+            auto const why = std::ranges::find(all[i].lacks, word, &refusal::culprit);
+            note_unknown(wrong, word, why == all[i].lacks.end() ? std::nullopt : std::optional{*why});
+        }
+        for (refusal const& why : all[i].lacks) { // one that names only a part of its word
+            if (not std::ranges::count(words[i], why.culprit)) {
+                refuse(why);
+            }
+        }
+    }
+    refuse_first(wrong);
+}
+
 } // namespace
 
-asked_registers registers_asked(choices const& chosen, open_line& line)
+std::vector<asked_registers> registers_asked(std::vector<std::string> const& words,
+                                             std::vector<named_unit> const& units, open_line& line)
 {
-    named_unit const unit = unit_in(chosen.line);
-    std::vector<std::string_view> const views{chosen.words.begin(), chosen.words.end()};
-    if (auto const wrong = wrong_place_in(views)) {
-        refuse(*wrong);
+    auto const own = words_of_each(words, units);
+    std::vector<asked_registers> all;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        if (own[i].empty()) {
+            refuse_word("nothing is asked of " + name_of(units[i]));
+        }
+        try {
+            all.push_back(asked_of(line, units[i], own[i]));
+        } catch (ended const& why) { // the others are read all the same
+            if (units.size() == 1 or why.status == exit_status::usage or why.status == exit_status::port) {
+                throw;
+            }
+            all.push_back({.unit = units[i], .failure = why});
+        }
     }
-    bool const has_numbers_only = not select_registers(views, nullptr).refused;
-    drive_catalog const* const drive = not unit.drive.empty() ? catalog_or_none(unit.drive)
-                                       : has_numbers_only ? drive_of_numbers(line, unit.unit, first_menu_number(views))
-                                                          : &catalog_of(line, unit.unit, {});
-    return {unit, drive, registers_in(chosen.words, {drive, unit.names})};
+    refuse_unknown(all, own);
+    for (asked_registers& each : all) {
+        if (not each.failure and each.registers.empty()) {
+            each.failure.emplace(exit_status::differs, name_of(each.unit) + " has none of these registers");
+        }
+    }
+    return all;
+}
+
+void check_register_words(std::vector<std::string> const& words, std::vector<named_unit> const& units)
+{
+    std::map<std::string, std::optional<refusal>> wrong; // of a word that some unit may know, nothing
+    auto const own = words_of_each(words, units);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        for (std::string const& word : own[i]) {
+            note_unknown(wrong, word, why_unknown(units[i], word));
+        }
+    }
+    refuse_first(wrong);
+}
+
+void tell_left_out(std::vector<asked_registers> const& all)
+{
+    for (asked_registers const& each : all) {
+        if (each.failure) {
+            tell_error(each.failure->what());
+            continue;
+        }
+        std::string words;
+        for (refusal const& why : each.lacks) {
+            words += (words.empty() ? "" : ", ") + why.culprit;
+        }
+        if (not words.empty()) {
+            tell_error("note: " + name_of(each.unit) + " has no " + words);
+        }
+    }
 }
 
 } // namespace tool

@@ -58,8 +58,9 @@ named_unit named_in(std::string const& word)
     if (word.find_first_of("0123456789+-") == 0 or word.find(',') < sign) {
         refuse_word("'" + word + "': a name begins with no digit or sign and has no comma, so that --unit 3 is unit 3");
     }
-    auto const parts = parts_of(std::string_view{word}.substr(sign + 1), ':');
-    return {address_in(parts[0], word), word.substr(0, sign), parts.size() > 1 ? std::string{parts[1]} : std::string{}};
+    std::size_t const colon = word.find(':', sign);
+    return {address_in(std::string_view{word}.substr(sign + 1, colon - sign - 1), word), word.substr(0, sign),
+            colon == word.npos ? std::string{} : word.substr(colon + 1)};
 }
 
 /// One name means one unit, and a unit has one type: neither the first nor the last is silently right.
@@ -118,6 +119,8 @@ std::vector<std::uint8_t> units_in(std::string const& word)
     return {units.begin(), units.end()};
 }
 
+bool is_register_file(std::string const& type) { return type.ends_with(".toml"); }
+
 std::vector<named_unit> names_in(line_choices const& line)
 {
     std::vector<named_unit> named;
@@ -149,6 +152,10 @@ named_unit unit_in(line_choices const& line)
     }
     named_unit chosen = found ? *found : named_unit{address_in(line.unit, "--unit")};
     chosen.drive = line.drive.empty() ? chosen.drive : line.drive;
+    if (is_register_file(chosen.drive)) {
+        chosen.names = &register_file_at(chosen.drive);
+        chosen.drive = "none";
+    }
     if (not line.device.empty()) {
         if (not chosen.drive.empty() and chosen.drive != "none") {
             refuse_word("--device " + line.device +

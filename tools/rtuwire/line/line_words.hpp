@@ -28,8 +28,8 @@ std::vector<std::uint8_t> units_in(std::string const& word);
 struct named_unit {
     rtuwire::unit_id unit;
     std::string name{};                 ///< empty where it has none
-    std::string drive{};                ///< empty where nobody said
-    named_places const* names{nullptr}; ///< of --device
+    std::string drive{};                ///< empty where nobody said; of --name also a register file
+    named_places const* names{nullptr}; ///< of --device, or of that file
 };
 
 /// The unit that --unit means: an address, or one of the names. Refuses others, with the nearest name.
@@ -37,6 +37,9 @@ named_unit unit_in(line_choices const& line);
 
 /// The same for what writes to a unit, or runs its motor: refuses where nobody said which.
 named_unit unit_to_change(choices const& chosen);
+
+/// Whether the type that --name says is a register file: "meter=61:meter.toml".
+bool is_register_file(std::string const& type);
 
 /// All that --name names. Refuses a name for two units, and two types for one unit.
 std::vector<named_unit> names_in(line_choices const& line);

@@ -153,12 +153,25 @@ errc register_reader::read_parts(open_line& line, rtuwire::unit_id unit, block c
     return first != errc::none ? first : second;
 }
 
-void register_reader::read(open_line& line, rtuwire::unit_id unit)
+void register_reader::fail(block const& which, errc why, std::string const& failure)
+{
+    for (run const& each : which) {
+        held_.insert_or_assign(each, held_words{why, {}, failure});
+    }
+}
+
+void register_reader::read(open_line& line, rtuwire::unit_id unit, bool ends_at_silence)
 {
     first_error_ = errc::none;
     first_failure_.clear();
     std::vector<block> learned;
+    bool is_silent = false;
     for (block const& each : blocks_) {
+        if (is_silent) {
+            fail(each, first_error_, first_failure_);
+            learned.push_back(each);
+            continue;
+        }
         errc const outcome = read_parts(line, unit, each, learned);
         if (status_of(outcome) == exit_status::port) {
             throw ended{exit_status::port, line.port().failure()};
@@ -168,6 +181,10 @@ void register_reader::read(open_line& line, rtuwire::unit_id unit)
             auto const failed = std::ranges::find(each, outcome, [this](run const& one) { return held_[one].why; });
             first_failure_ = failed == each.end() ? tool::words_of(outcome) : held_[*failed].failure;
         }
+        is_silent = ends_at_silence and &each == &blocks_.front() and status_of(outcome) == exit_status::no_answer;
+    }
+    if (is_silent) {
+        std::ranges::rotate(learned, learned.begin() + 1);
     }
     blocks_ = std::move(learned);
 }

@@ -38,8 +38,9 @@ public:
     register_reader(std::vector<chosen_register> const& chosen, vocabulary const& known);
 
     /// One round. What a unit refuses together is read in halves, and in the next round as this one left them. Ends where
-    /// the port fails.
-    void read(open_line& line, rtuwire::unit_id unit);
+    /// the port fails. With `ends_at_silence` a unit that does not respond to the first request is asked nothing more, and
+    /// in the next round something else first.
+    void read(open_line& line, rtuwire::unit_id unit, bool ends_at_silence = false);
 
     /// What the last round read of a place that was chosen.
     held_words const& held(place const& where) const;
@@ -69,6 +70,8 @@ private:
     /// The runs of one request.
     using block = std::vector<run>;
 
+    /// Nothing of it could be read.
+    void fail(block const& which, rtuwire::errc why, std::string const& failure);
     static run run_of(place const& where);
     static run whole(block const& which);
     void add(run const& one);

@@ -45,7 +45,7 @@ bool has_curve(chosen_register const& which)
 } // namespace
 
 unit_reader::unit_reader(named_unit unit, std::vector<std::string> words, unsigned misses)
-    : unit_{std::move(unit)}, words_{std::move(words)}, misses_allowed_{misses}
+    : unit_{std::move(unit)}, words_{std::move(words)}, patience_{misses}
 {
     shown_.address = unit_.unit.byte();
     shown_.name = unit_.name;
@@ -128,7 +128,7 @@ bool unit_reader::identify(open_line& line)
 
 void unit_reader::round(open_line& line, clock::time_point now)
 {
-    if (now >= next_) {
+    if (patience_.is_due(now)) {
         bool const has_responded = (is_known_ or identify(line)) and read_state(line);
         if (has_responded) {
             read_values(line);
@@ -163,7 +163,7 @@ bool unit_reader::read_state(open_line& line)
 
 void unit_reader::read_values(open_line& line)
 {
-    reader_->read(line, unit_.unit);
+    reader_->read(line, unit_.unit, true);
     if (drive_ != nullptr and not shown_.fault.empty()) {
         auto const word = reader_->at(drive_->layout.lft);
         register_entry const* const entry = drive_->at(drive_->layout.lft);
@@ -185,18 +185,13 @@ void unit_reader::note_response(bool has_responded, clock::time_point now)
     if (has_responded and not state_reader_) {
         has_responded = not is_silence(reader_->first_error());
     }
+    patience_.note(has_responded, now);
     if (has_responded) {
         shown_.link = link_state::linked;
         last_response_ = now;
-        misses_ = 0;
         return;
     }
-    ++misses_;
-    if (misses_ >= misses_allowed_) {
-        shown_.link = link_state::lost;
-        auto const wait = std::chrono::milliseconds{250} * (1 << std::min(misses_ - misses_allowed_, 5U));
-        next_ = now + std::min<clock::duration>(wait, longest_wait);
-    }
+    shown_.link = patience_.is_silent() ? link_state::lost : shown_.link;
     for (shown_value& each : shown_.values) {
         if (not each.samples.empty()) {
             each.add_sample(NAN);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "line/asked_less.hpp"
 #include "line/line_words.hpp"
 #include "line/register_reader.hpp"
 #include "monitor/model.hpp"
@@ -17,19 +18,17 @@ namespace tool {
 
 class unit_reader {
 public:
-    using clock = std::chrono::steady_clock;
+    using clock = asked_less::clock;
 
     /// `misses`: so many rounds without a response in a row are a lost link.
     unit_reader(named_unit unit, std::vector<std::string> words, unsigned misses);
 
-    /// One round, if it is due: a silent unit waits twice as long each time, up to `longest_wait`. Throws `ended` where
+    /// One round, if it is due: a silent unit waits twice as long each time, up to 8 s. Throws `ended` where
     /// the port fails.
     void round(open_line& line, clock::time_point now);
 
     /// What there is to show.
     shown_unit const& shown() const { return shown_; }
-
-    static constexpr std::chrono::seconds longest_wait{8};
 
 private:
     void begin(drive_catalog const* drive);
@@ -44,15 +43,13 @@ private:
 
     named_unit unit_;
     std::vector<std::string> words_;
-    unsigned misses_allowed_;
+    asked_less patience_;
     bool is_known_{false};
     drive_catalog const* drive_{nullptr};
     std::vector<chosen_register> registers_{};
     std::optional<register_reader> state_reader_{};
     std::optional<register_reader> reader_{};
-    unsigned misses_{0};
     clock::time_point last_response_{clock::now()};
-    clock::time_point next_{};
     shown_unit shown_{};
 };
 

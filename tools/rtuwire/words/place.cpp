@@ -488,8 +488,19 @@ std::string value_form::letters() const
     return letters;
 }
 
+std::string_view group_in(std::string_view word) noexcept
+{
+    constexpr std::string_view mark = "group:";
+    return word.starts_with('@')                             ? word.substr(1)
+           : is_same_word(word.substr(0, mark.size()), mark) ? word.substr(mark.size())
+                                                             : std::string_view{};
+}
+
 bool is_place_word(std::string_view word) noexcept
 {
+    if (not group_in(word).empty()) {
+        return false;
+    }
     std::size_t const dot = word.find('.');
     bool const has_bits = begins_with_digit(word) and dot != word.npos and word.find('-', dot) != word.npos;
     return word.find(':') != word.npos or has_bits;

@@ -62,6 +62,10 @@ struct place {
     friend auto operator<=>(place const&, place const&) = default;
 };
 
+/// The group that a word names: "monitor" of `@monitor`, and of `group:monitor`, which no shell takes for its own. Empty where
+/// it names none.
+[[nodiscard]] std::string_view group_in(std::string_view word) noexcept;
+
 /// Whether a word is a place and no word of a drive: it has a colon, or several bits of a number (40.4-7).
 [[nodiscard]] bool is_place_word(std::string_view word) noexcept;
 

@@ -42,6 +42,12 @@ std::string not_among(drive_catalog const& drive)
            std::string{drive.name} + "; read it by its address";
 }
 
+/// Another group in the form in which one was typed.
+std::string group_like(std::string_view word, std::string_view group)
+{
+    return std::string{word.substr(0, word.size() - group_in(word).size())} + std::string{group};
+}
+
 /// Collects registers, each once.
 class collector {
 public:
@@ -93,7 +99,7 @@ refusal_or_none collector::add_word(std::string_view word)
         return add_places(word);
     }
     if (names_ != nullptr and not word.empty() and not is_digit(word[0])) {
-        return word[0] == '@' ? add_named_group(word) : add_names(word);
+        return word[0] == '@' or not group_in(word).empty() ? add_named_group(word) : add_names(word);
     }
     if (register_entry const* const entry = drive_ == nullptr ? nullptr : drive_->by_menu(word); entry != nullptr) {
         add(entry->address);
@@ -107,7 +113,7 @@ refusal_or_none collector::add_word(std::string_view word)
         return unknown("no_drive", word,
                        "no drive is known, so there are only addresses (40, input:40:f32); name one with --drive", "");
     }
-    if (word.starts_with('@')) {
+    if (word.starts_with('@') or not group_in(word).empty()) {
         return add_group(word);
     }
     if (dot != word.npos) {
@@ -140,12 +146,13 @@ refusal_or_none collector::add_named_group(std::string_view word)
     for (named_group const& each : names_->groups) {
         known.push_back(each.name);
     }
-    named_group const* const group = names_->group_named(word.substr(1));
+    std::string_view const name = group_in(word);
+    named_group const* const group = names_->group_named(name);
     if (group == nullptr) {
-        std::string_view const nearest = nearest_word(word.substr(1), known);
+        std::string_view const nearest = nearest_word(name, known);
         return unknown("unknown_group", word,
                        names_->file + (known.empty() ? " has no groups" : " has no such group, but " + listed(known)),
-                       nearest.empty() ? std::string{} : '@' + std::string{nearest});
+                       nearest.empty() ? std::string{} : group_like(word, nearest));
     }
     for (named_place const& each : names_->places) {
         if (each.group == group->name) {
@@ -183,7 +190,7 @@ refusal_or_none collector::add_numbers(std::string_view word, std::size_t dash)
 /// A group to look at comes before one of the menu; no two have one name.
 refusal_or_none collector::add_group(std::string_view word)
 {
-    std::string_view const name = word.substr(1);
+    std::string_view const name = group_in(word);
     for (register_group const& each : register_groups()) {
         for (std::string_view const code : is_same_word(each.name, name) ? each.codes : decltype(each.codes){}) {
             if (register_entry const* entry = drive_->by_code(code); entry != nullptr) {
@@ -201,7 +208,7 @@ refusal_or_none collector::add_group(std::string_view word)
         return {};
     }
     std::string_view const nearest = nearest_word(name, names);
-    std::string const shown = nearest.empty() ? std::string{} : "@" + std::string{nearest};
+    std::string const shown = nearest.empty() ? std::string{} : group_like(word, nearest);
     return unknown("unknown_group", word,
                    "an " + std::string{drive_->name} + " has no such group, but " + listed(names), shown);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a person types for registers: `RFR`, `'DP*'`, `@monitor`, `ETA.fault`, `3202`, `0x0C82`, `3201-3205`, `705.0` (a
+// What a person types for registers: `RFR`, `'DP*'`, `@monitor` or `group:monitor`, `ETA.fault`, `3202`, `0x0C82`, `3201-3205`, `705.0` (a
 // number of the drive's menu, where that is known), places of any device (`input:40:f32`), several of them in one word
 // with commas between.
 #pragma once
