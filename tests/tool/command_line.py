@@ -50,23 +50,30 @@ NO_LENGTHS = ["0", "0s", "0.0min", "-1s", "-5min", "1e10s", "9999999999999999999
               "inf", "0x10s", "1us"]
 LENGTHS = ["300ms", "0.3s", "0.005min", "0.0001h", "0.3"]
 
-# A file, the line that is wrong, and what is said of it.
+# A file, the line and column that are wrong, and what is said of it.
 WRONG_FILES = [
-    ('port = "sim:atv320"\nbauds = 9600\n', 2, ["'bauds'", "'baud'"]),
-    ('\n# a comment\nbaud = "fast"', 3, ["baud", "'fast'"]),
-    ("baud = 12", 1, ["12 bits a second"]),
-    ("format = 8E1", 1, ["8E1", '"8E1"']),
-    ('format = "7E1"', 1, ["7E1"]),
-    ('name = [\n "fan=7:atv320",\n "pump"\n]', 1, ["pump", "fan=7"]),
-    ('name = [\n "fan=7:atv320"\n "pump=3"\n]', 3, ["pump"]),
-    ('name = ["fan=7:atv99"]', 1, ["atv99"]),
-    ('port = "sim:atv320\n', 1, ["sim:atv320", "end"]),
-    ('port = "sim:atv320"\nport = "sim:atv12"', 2, ["port", "second"]),
-    ("[line]\nbaud = 9600", 1, ["[line]"]),
-    ("write = true", 1, ["write", "typed"]),
-    ("retries = 11", 1, ["retries", "11"]),
-    ('name = ["fan=7:atv320", "fan=3:atv12"]', 1, ["'fan'", "unit 7", "unit 3"]),
-    ('name = ["3=7"]', 1, ["'3=7'", "digit"]),
+    ('port = "sim:atv320"\nbauds = 9600\n', "2:1", ["'bauds'", "'baud'"]),
+    ('\n# a comment\nbaud = "fast"', "3:8", ["baud", "'fast'"]),
+    ("baud = 12", "1:8", ["12 bits a second"]),
+    ("format = 8E1", "1:10", ["quotation marks", '"8E1"']),
+    ("port = /dev/ttyUSB0 # left", "1:8", ["quotation marks", '"/dev/ttyUSB0"']),
+    ('format = "7E1"', "1:10", ["7E1"]),
+    ('name = [\n "fan=7:atv320",\n "pump"\n]', "3:2", ["pump", "fan=7"]),
+    ('name = [\n "fan=7:atv320"\n "pump=3"\n]', "3:2", []),
+    ('name = ["fan=7:atv99"]', "1:9", ["atv99"]),
+    ('port = "sim:atv320\n', "1:", ["does not end on its line"]),
+    ('port = "sim:atv320"\nport = "sim:atv12"', "2:", ["port", "redefine"]),
+    ("[line]\nbaud = 9600", "1:", ["'line' is no option"]),
+    ("write = true", "1:1", ["write", "typed"]),
+    ("retries = 11", "1:11", ["retries", "11"]),
+    ("timeout = nan", "1:11", ["timeout", "nan"]),
+    ("unit = 07", "1:", []),
+    ("unit = [7]", "1:8", ["one value"]),
+    ("listen = 2026-11-29", "1:10", ["one value"]),
+    ("echo = 1", "1:8", ["true or false"]),
+    ('name = ["fan=7:atv320", "fan=3:atv12"]', "1:25", ["'fan'", "unit 7", "unit 3"]),
+    ('name = ["3=7"]', "1:9", ["'3=7'", "digit"]),
+    ("port = " + 3_000 * "[", "1:", []),
 ]
 
 COMPLETED = [
@@ -133,7 +140,7 @@ def check_configuration(tool, check):
     for text, line, parts in WRONG_FILES:
         file.write_text(text)
         ended = tool.run("--config", "cabinet.toml", "read", "RFR")
-        is_told = ended.errors.startswith(f"rtuwire: cabinet.toml:{line}: ") and all(part in ended.errors for part in parts)
+        is_told = ended.errors.startswith(f"rtuwire: cabinet.toml:{line}") and all(part in ended.errors for part in parts)
         check(ended.status == USAGE and is_told, f"{text!r} is refused", ended.errors)
     check(tool.run("--config", "cabinet.toml", "--help").status == DONE, "help is shown all the same")
     check("missing.toml" in tool.run("--config", "missing.toml", "list").errors, "a file that is not there is named")
@@ -148,18 +155,27 @@ def check_configuration(tool, check):
     (tool.place / "rtuwire.toml").rmdir()
     file.write_bytes(b'\xef\xbb\xbfbaud = 12\n')
     ended = tool.run("--config", "cabinet.toml", "list")
-    check(ended.status == USAGE and "cabinet.toml:1: baud" in ended.errors, "a byte order mark is no part of it", ended)
+    check(ended.status == USAGE and "cabinet.toml:1:8: baud" in ended.errors, "a byte order mark is no part of it", ended)
     file.write_text('port = ""\n')
     ended = tool.run("--config", "cabinet.toml", "list")
-    check(ended.errors.startswith('rtuwire: cabinet.toml:1: port = "": ') and "port : " not in ended.errors,
+    check(ended.errors.startswith('rtuwire: cabinet.toml:1:8: port = "": ') and "port : " not in ended.errors,
           "a value that is empty is shown", ended)
+    for data, reason in ((60_000_000 * b"#", "60000000 bytes"), (b"baud = 9600\n\0", "a byte is zero")):
+        file.write_bytes(data)
+        ended = tool.run("--config", "cabinet.toml", "list")
+        check(ended.status == USAGE and reason in ended.errors, f"{reason} is refused", ended)
     check("is a directory" in tool.run("replay", ".").errors, "a folder is no capture")
+    file.write_text('port = "sim:atv320:7"\nbaud = "9600"\nretries = "0"\necho = "false"\ntimeout = 0.25\nlisten = 0\nunit = "7"\n')
+    ended = tool.run("--config", "cabinet.toml", "--json", "read", "RFR")
+    check(ended.status == DONE and ended.objects()[0]["unit"] == 7, "numbers in quotation marks are taken, as they were", ended)
     file.write_text('port = "sim:atv320:7,atv12:3"\nname = [\n  "fan=7:atv320",  # in the cellar\n  \'pump=3\',\n]\n'
                     "baud = 9600\ntimeout = 0.5\nunit = 7\n")
     ended = tool.run("--config", "cabinet.toml", "--json", "-u", "fan", "read", "RFR")
     check(ended.status == DONE and ended.objects()[0]["unit"] == 7, "a name of the file", ended)
     ended = tool.run("--config=cabinet.toml", "--json", "--name", "mixer=3", "-u", "mixer", "read", "RFR")
     check(ended.status == DONE and ended.objects()[0]["unit"] == 3, "and one of the command line beside it", ended)
+    found = tool.run("--config", "cabinet.toml", "-u", "3", "-u", "fan", "--json", "read", "RFR").objects()
+    check([each["unit"] for each in found] == [3, 7], "several units", found)
     check(tool.run("--config", "cabinet.toml", "--unit", "3", "--json", "read", "RFR").objects()[0]["unit"] == 3,
           "the command line overrides the file")
     ended = tool.run("--config=cabinet.toml", "--json", "--name", "fan=3", "-u", "fan", "read", "RFR")

@@ -340,7 +340,7 @@ TEST_CASE("a register file that is wrong is refused with its place and the reaso
     CHECK(refused(of_one("[[register]]\nname = \"b1\"\nspace = \"input\"\naddress = 40")).empty());
     CHECK_THAT(refused(of_one(std::string{"# "} + '\0')), Catch::Matchers::Contains("m.toml: a byte is zero"));
     CHECK_THAT(refused(std::string(60'000'000, '#')),
-               Catch::Matchers::Contains("60000000 bytes; a register file has at most"));
+               Catch::Matchers::Contains("60000000 bytes; such a file has at most"));
     CHECK_THAT(refused("a = " + std::string(100'000, '[')), Catch::Matchers::Contains("m.toml:1:"));
 }
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "configuration.hpp"
 
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "catalog/catalog.hpp"
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
+#include "files/toml_file.hpp"
 #include "line/line_words.hpp"
 #include "line/who_is_it.hpp"
 #include "port/port_word.hpp"
@@ -21,130 +24,6 @@
 namespace tool {
 
 namespace {
-
-/// "baud = 19200", and where it stands.
-struct entry {
-    std::string key;
-    std::vector<std::string> values;
-    unsigned line;
-};
-
-/// The entries of a file, one by one.
-class entries {
-public:
-    entries(std::string file, std::string text) : file_{std::move(file)}, text_{std::move(text)} {}
-
-    std::optional<entry> next()
-    {
-        skip(" \t\r\n");
-        if (at_ == text_.size()) {
-            return std::nullopt;
-        }
-        line_of_entry_ = line_;
-        entry found{word(), {}, line_};
-        skip(" \t");
-        if (found.key.empty() or now() != '=') {
-            refuse("'" + rest_of_line() + "' is no line such as baud = 19200");
-        }
-        ++at_;
-        skip(" \t");
-        found.values = now() == '[' ? list() : std::vector<std::string>{value()};
-        skip(" \t\r");
-        if (at_ < text_.size() and now() != '\n') {
-            refuse("'" + rest_of_line() + "' stands behind the value of " + found.key);
-        }
-        return found;
-    }
-
-    /// At the line of the last entry, or of what is wrong inside it.
-    [[noreturn]] void refuse(std::string const& why) const
-    {
-        refuse_word(file_ + ":" + std::to_string(line_) + ": " + why);
-    }
-    [[noreturn]] void refuse(entry const& which, std::string const& why) const
-    {
-        refuse_word(file_ + ":" + std::to_string(which.line) + ": " + why);
-    }
-
-private:
-    char now() const { return at_ < text_.size() ? text_[at_] : '\n'; }
-
-    /// Such characters, and comments.
-    void skip(std::string_view blank)
-    {
-        while (at_ < text_.size() and (blank.find(now()) != std::string_view::npos or now() == '#')) {
-            if (now() == '#') {
-                at_ = std::min(text_.find('\n', at_), text_.size());
-                continue;
-            }
-            line_ += now() == '\n' ? 1U : 0U;
-            ++at_;
-        }
-    }
-
-    std::string rest_of_line() const
-    {
-        std::string rest = text_.substr(at_, text_.find_first_of("\r\n", at_) - at_);
-        return line_of_entry_ == line_ ? rest : rest.substr(0, 40);
-    }
-
-    std::string word()
-    {
-        std::size_t const end = text_.find_first_of(" \t\r\n=#,[]\"'", at_);
-        std::string const found = text_.substr(at_, end - at_);
-        at_ += found.size();
-        return found;
-    }
-
-    std::string value()
-    {
-        char const mark = now();
-        if (mark != '"' and mark != '\'') {
-            std::string const plain = word();
-            if (plain.empty()) {
-                refuse("a value is missing");
-            }
-            bool const is_number = plain.find_first_not_of("0123456789.") == std::string::npos;
-            if (not is_number and plain != "true" and plain != "false") {
-                refuse("'" + plain + "' is a text: write it as \"" + plain + "\"");
-            }
-            return plain;
-        }
-        std::size_t const end = text_.find_first_of(std::string{mark} + "\n", at_ + 1);
-        if (end == std::string::npos or text_[end] == '\n') {
-            refuse("the text " + rest_of_line() + " does not end on its line");
-        }
-        std::string const found = text_.substr(at_ + 1, end - at_ - 1);
-        at_ = end + 1;
-        return found;
-    }
-
-    std::vector<std::string> list()
-    {
-        std::vector<std::string> found;
-        ++at_;
-        for (skip(" \t\r\n"); now() != ']'; skip(" \t\r\n")) {
-            if (at_ == text_.size()) {
-                refuse("a list has no ]");
-            }
-            found.push_back(value());
-            skip(" \t\r\n");
-            if (now() == ',') {
-                ++at_;
-            } else if (now() != ']') {
-                refuse("'" + rest_of_line() + "' stands where a , or ] has to be");
-            }
-        }
-        ++at_;
-        return found;
-    }
-
-    std::string file_;
-    std::string text_;
-    std::size_t at_{0};
-    unsigned line_{1};
-    unsigned line_of_entry_{1};
-};
 
 double number_in(std::string const& word, double lowest, double highest)
 {
@@ -204,8 +83,9 @@ constexpr option options[] = {
     {"name",
      [](line_choices& line, std::string const& word) {
          line.names.push_back(word);
-         if (auto const named = names_in(line); not named.back().drive.empty()) {
-             static_cast<void>(drive_in(named.back().drive));
+         auto const named = names_in(line);
+         if (std::string const& type = named.back().drive; not type.empty() and not is_register_file(type)) {
+             static_cast<void>(drive_in(type));
          }
      }},
     {"timeout",
@@ -224,39 +104,60 @@ constexpr option options[] = {
     {"listen", [](line_choices& line, std::string const& word) { line.listen = number_in(word, 0, 3'600); }},
 };
 
-option const& option_of(entries const& from, entry const& one)
+/// A value as it would be typed; nothing of what no option takes.
+std::optional<std::string> word_of(toml::node const& value)
 {
-    std::vector<std::string_view> known;
-    for (option const& each : options) {
-        if (each.name == one.key) {
-            return each;
-        }
-        known.push_back(each.name);
+    if (auto const* const text = value.as_string()) {
+        return text->get();
     }
-    for (std::string_view const each : {"write", "allow-run", "yes", "no-listen"}) {
-        if (each == one.key) {
-            from.refuse(one, "'" + one.key + "' is typed with each command: no file allows it");
-        }
+    if (auto const* const number = value.as_integer()) {
+        return std::to_string(number->get());
     }
-    from.refuse(one, "'" + one.key + "' is no option of this file" + suggestion(one.key, known));
+    if (auto const* const flag = value.as_boolean()) {
+        return flag->get() ? "true" : "false";
+    }
+    std::array<char, 32> digits{};
+    auto const* const amount = value.as_floating_point();
+    return amount == nullptr ? std::nullopt
+                             : std::optional<std::string>{
+                                   {digits.data(), std::to_chars(digits.begin(), digits.end(), amount->get()).ptr}};
 }
 
-void take(entries const& from, entry const& one, line_choices& line)
+void take_word(std::string const& file, std::string const& text, option const& which, toml::node const& value,
+               line_choices& line)
 {
-    option const& which = option_of(from, one);
-    if (one.key != "name" and one.values.size() != 1) {
-        from.refuse(one, "'" + one.key + "' has one value");
+    std::string const key{which.name};
+    std::optional<std::string> const word = word_of(value);
+    if (not word) {
+        refuse_at(file, value.source(), "'" + key + "' has one value: a text, a number, true or false");
     }
-    for (std::string const& word : one.values) {
-        if (word.empty()) {
-            from.refuse(one, one.key + " = \"\": the value is empty");
-        }
-        try {
-            which.take(line, word);
-        } catch (ended const& why) {
-            from.refuse(one, one.key + " = \"" + word + "\": " + why.what());
+    if (word->empty()) {
+        refuse_at(file, value.source(), key + " = \"\": the value is empty");
+    }
+    try {
+        which.take(line, *word);
+    } catch (ended const& why) {
+        refuse_at(file, value.source(),
+                  key + " = \"" + *word + "\": " + why.what() +
+                      (value.is_floating_point() and std::isfinite(*value.value<double>()) // 8E1 is one to TOML
+                           ? hint_at_text(text, value.source())
+                           : std::string{}));
+    }
+}
+
+void check_options(std::string const& file, toml::table const& all)
+{
+    for (std::string_view const each : {"write", "allow-run", "yes", "no-listen"}) {
+        if (auto const found = all.find(each); found != all.end()) {
+            refuse_at(file, found->first.source(),
+                      "'" + std::string{each} + "' is typed with each command: no file allows it");
         }
     }
+    std::vector<std::string_view> known;
+    for (option const& each : options) {
+        known.push_back(each.name);
+    }
+    check_keys(file, all, known, "option of this file");
 }
 
 /// Whatever is there: what is no file is refused when it is read.
@@ -297,15 +198,18 @@ void read_configuration(std::string const& file, line_choices& line)
     if (not found.failure.empty()) {
         refuse_word("--config " + file + ": " + found.failure);
     }
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // as some editors write it
-    bool const has_mark = found.text.starts_with(byte_order_mark);
-    entries all{file, found.text.substr(has_mark ? byte_order_mark.size() : 0)};
-    std::set<std::string> seen;
-    while (auto const one = all.next()) {
-        if (not seen.insert(one->key).second) {
-            all.refuse(*one, "'" + one->key + "' stands here a second time");
+    toml::table const all = toml_in(file, found.text);
+    check_options(file, all);
+    for (option const& which : options) {
+        toml::node const* const value = all.get(which.name);
+        toml::array const* const list = value == nullptr ? nullptr : value->as_array();
+        if (list == nullptr or which.name != "name") {
+            value == nullptr ? void() : take_word(file, found.text, which, *value, line);
+            continue;
         }
-        take(all, *one, line);
+        for (toml::node const& each : *list) {
+            take_word(file, found.text, which, each, line);
+        }
     }
 }
 

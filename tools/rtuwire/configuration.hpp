@@ -18,7 +18,7 @@ namespace tool {
 /// set); nothing where there is neither.
 [[nodiscard]] std::optional<std::string> configuration_file();
 
-/// Changes what the file speaks of. What is wrong in it ends the command, with the file, the line and the word.
+/// Changes what the file speaks of. What is wrong in it ends the command, with the file, the line, the column and the word.
 void read_configuration(std::string const& file, line_choices& line);
 
 } // namespace tool

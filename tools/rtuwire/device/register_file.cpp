@@ -13,15 +13,11 @@
 #include <utility>
 #include <vector>
 
-#define TOML_HEADER_ONLY 1
-#define TOML_EXCEPTIONS 0
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
-
 #include <rtuwire/frames.hpp>
 
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
+#include "files/toml_file.hpp"
 #include "words/named_value.hpp"
 #include "words/suggestion.hpp"
 #include "words/time_words.hpp"
@@ -30,7 +26,6 @@ namespace tool {
 
 namespace {
 
-constexpr std::size_t longest_file = 1U << 20U;
 constexpr std::size_t most_registers = 2'000;
 
 class file_reader {
@@ -39,19 +34,8 @@ public:
 
     named_places run(std::string const& text)
     {
-        if (text.size() > longest_file) {
-            refuse_word(file_ + ": " + std::to_string(text.size()) + " bytes; a register file has at most " +
-                        std::to_string(longest_file));
-        }
-        if (text.find('\0') != text.npos) {
-            refuse_word(file_ + ": a byte is zero: it is no text");
-        }
-        toml::parse_result const parsed = toml::parse(std::string_view{text}, std::string_view{file_});
-        if (not parsed) {
-            refuse(parsed.error().source(), std::string{parsed.error().description()});
-        }
-        toml::table const& all = parsed.table();
-        check_keys(all, {"device", "groups", "register"});
+        toml::table const all = toml_in(file_, text);
+        check_keys(file_, all, {"device", "groups", "register"});
         read_device(all);
         read_groups(all);
         toml::node const* const list = all.get("register");
@@ -73,17 +57,7 @@ public:
 private:
     [[noreturn]] void refuse(toml::source_region const& where, std::string const& why) const
     {
-        refuse_word(file_ + ":" + std::to_string(where.begin.line) + ":" + std::to_string(where.begin.column) + ": " +
-                    why);
-    }
-
-    void check_keys(toml::table const& from, std::vector<std::string_view> const& known) const
-    {
-        for (auto const& [key, value] : from) {
-            if (std::ranges::count(known, key.str()) == 0) {
-                refuse(key.source(), "'" + std::string{key.str()} + "' is no key here" + suggestion(key.str(), known));
-            }
-        }
+        refuse_at(file_, where, why);
     }
 
     /// A table of the file; null where it has none.
@@ -125,7 +99,7 @@ private:
     void read_device(toml::table const& all)
     {
         if (toml::table const* const device = table_in(all, "device")) {
-            check_keys(*device, {"max_registers", "pause"});
+            check_keys(file_, *device, {"max_registers", "pause"});
             auto const most = whole_in(*device, "max_registers", 1, rtuwire::max_read_quantity);
             found_.max_registers = most ? std::optional{static_cast<std::uint16_t>(*most)} : std::nullopt;
             found_.pause = whole_in(*device, "pause", 0, 3'000);
@@ -263,8 +237,9 @@ private:
 
     void add(toml::table const& from)
     {
-        check_keys(from, {"name", "space", "address", "bits", "type", "order", "scale", "unit", "offset", "access",
-                          "min", "max", "choices", "invalid", "setting", "stored", "moves", "group"});
+        check_keys(file_, from,
+                   {"name", "space", "address", "bits", "type", "order", "scale", "unit", "offset", "access", "min",
+                    "max", "choices", "invalid", "setting", "stored", "moves", "group"});
         auto const name = text_in(from, "name");
         if (not name) {
             refuse(from.source(), "a register without a name");
