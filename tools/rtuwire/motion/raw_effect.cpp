@@ -136,7 +136,7 @@ std::vector<value_to_write> checked_request(byte_view pdu, open_line& line, name
         refuse_command({.where = {word_at(pdu, 1)}}, rules, chosen);
         if (is_drive) {
             refuse_for_safety(number + " is an " + std::string{rules.drive->name} + ": what " + what +
-                              ", makes of its register is not known before; `write` sends a value that is");
+                              ", makes of its register is not known before, as that of the command write is");
         }
     }
     if (reaches_objects(pdu) and (is_drive or rules.command)) {
@@ -178,7 +178,7 @@ void refuse_broadcast(byte_view pdu, choices const& chosen)
                 refuse_for_safety("register " + std::to_string(address) + " is " +
                                   (entry != nullptr ? std::string{entry->code} : std::string{"a command"}) + " of an " +
                                   std::string{each->name} +
-                                  ", which may be on the line; `write` sends it to one unit, and checks it");
+                                  ", which may be on the line; the command write sends it to one unit, and checks it");
             }
         }
     }
