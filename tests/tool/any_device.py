@@ -40,7 +40,8 @@ async def serve(device, addresses):
     from pymodbus.server import StartAsyncSerialServer
     from pymodbus.bit_write_message import WriteSingleCoilRequest
     from pymodbus.pdu import ModbusExceptions
-    from pymodbus.register_write_message import WriteSingleRegisterRequest
+    from pymodbus.register_write_message import (MaskWriteRegisterRequest, WriteMultipleRegistersRequest,
+                                                 WriteSingleRegisterRequest)
     from pymodbus.transaction import ModbusRtuFramer
 
     class InputsOnly(ModbusSlaveContext):
@@ -50,17 +51,18 @@ async def serve(device, addresses):
             return code == 4 and super().validate(code, address, count)
 
     class OneEach(ModbusSlaveContext):
-        """Answers one register a request, as some meters do."""
+        """Answers one register a request, as some meters do, and lacks function 16."""
 
         def validate(self, code, address, count=1):
             return count == 1 and super().validate(code, address, count)
 
     class SeveralOnly(ModbusSlaveContext):
-        """Lacks functions 05 and 06."""
+        """Lacks functions 05, 06 and 22."""
 
-    for request in (WriteSingleCoilRequest, WriteSingleRegisterRequest):
-        def execute(self, context, known=request.execute):
-            lacks = isinstance(context, SeveralOnly)
+    for request, kind in ((WriteSingleCoilRequest, SeveralOnly), (WriteSingleRegisterRequest, SeveralOnly),
+                          (MaskWriteRegisterRequest, SeveralOnly), (WriteMultipleRegistersRequest, OneEach)):
+        def execute(self, context, known=request.execute, kind=kind):
+            lacks = isinstance(context, kind)
             return self.doException(ModbusExceptions.IllegalFunction) if lacks else known(self, context)
         request.execute = execute
 
@@ -219,7 +221,7 @@ def check_writes(tool, check):
           and [each["raw"] for each in found] == [77, 1], "a unit without 05 and 06 is written, which is said", ended)
     ended = tool.run(*how, "40001=5")
     check(ended.status == DIFFERS and "list:40001 is holding:0" in ended.output, "a number of a list is hinted at", ended)
-    for word, says in (("input:3=5", "read only"), ("2.3=1", "as a whole"), ("2:u16=70000", "0 to 65535"),
+    for word, says in (("input:3=5", "read only"), ("2.3=2", "on or off"), ("2.4-7=16", "0 to 15"), ("2:u16=70000", "0 to 65535"),
                        ("2:0.1V=1.25", "1.2 V or 1.3 V"), ("2-3:u16=1", "one register"), ("2=-1", "2:i16"),
                        ("2:f32=16777217", "the nearest is 16777216"), ("2:text247=a", "at most 123 registers")):
         ended = tool.run(*how, "coil:7=on", word)
@@ -228,8 +230,37 @@ def check_writes(tool, check):
               f"{word} is refused before a frame leaves", ended)
 
 
+def check_bits_written(tool, check):
+    """Bits of a register by function 22, which leaves the others; without it only where somebody said so."""
+    chance, held = random.Random(22), 0x1234
+    how = [*QUIET, "-d", "none", "--write", "--json"]
+    tool.run(*how, "-u", MODULE, "write", "8=0x1234")
+    for _ in range(20):
+        first = chance.randrange(16)
+        last = chance.randrange(first, 16)
+        value = chance.randrange(1 << (last - first + 1))
+        bits = ((1 << (last - first + 1)) - 1) << first
+        word = f"8.{first}={'on' if value else 'off'}" if first == last else f"h:8.{first}-{last}={value}"
+        held = held & ~bits | value << first
+        ended = tool.run(*how, "-u", MODULE, "write", word)
+        found = tool.run(*QUIET, "-u", MODULE, "--json", "read", "8").objects()[0]["raw"]
+        check(ended.status == DONE and found == held and ended.objects()[0]["after"] == str(value), f"{word} gives {held:#06x}",
+              (ended, hex(found)))
+    tool.run(*how, "-u", SIXTEEN, "write", "5=0x00F0")
+    ended = tool.run(*how, "-u", SIXTEEN, "write", "5.0=on")
+    check(ended.status == DIFFERS and "no function 22" in ended.output and "--read-modify-write" in ended.output
+          and ended.objects()[0]["after"] == "0", "a unit without function 22 is not written by itself", ended)
+    ended = tool.run(*how, "-u", SIXTEEN, "write", "--read-modify-write", "5.0=on", "5.4-7=3")
+    found = tool.run(*QUIET, "-u", SIXTEEN, "--json", "read", "5").objects()[0]["raw"]
+    notes = [each["note"] for each in ended.objects()]
+    check(ended.status == DONE and found == 0x31 and all("read, and written as a whole" in note for note in notes)
+          and "written by 16" in notes[0], "where somebody says so it is read and written back, which is told", ended)
+    ended = tool.run(*how, "-u", SHORT, "write", "2:u32=70000")
+    check(ended.status == DIFFERS and "no function 16" in ended.output, "a unit without 16 takes no half of a value", ended)
+
+
 MOVES = [["8501=6"], ["holding:8501=6"], ["h:0x2135=0x0006"], ["list:48502=6"], ["8501:u16=6"], ["8501:i16:1=6"],
-         ["8501:badc=1536"], ["8501.3=1"], ["8500:u32=6"], ["8499:u64=6"], ["8500:text8=ab"], ["8501:hex=6"], ["8501:bits=0x6"], ["8501:bcd16=6"], ["8501:2=12"], ["8501:text2=ab"],
+         ["8501:badc=1536"], ["8501.3=1"], ["8501.0-3=15"], ["8500:u32=6"], ["8499:u64=6"], ["8500:text8=ab"], ["8501:hex=6"], ["8501:bits=0x6"], ["8501:bcd16=6"], ["8501:2=12"], ["8501:text2=ab"],
          ["8602:i16=100"], ["list:48603=100rpm"], ["holding:12761:u16=6"]]
 
 
@@ -464,7 +495,7 @@ def main(check, program):
         addresses = ",".join(row["address"] for row in tool.run("--csv", "list", "-d", "atv320").rows())
         near_end, tool.port = others.line()
         others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@", addresses], stderr=subprocess.DEVNULL)
-        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_formulas, check_register_file, check_rich_file, check_units,
+        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_bits_written, check_formulas, check_register_file, check_rich_file, check_units,
                      check_drive):
             part(tool, check)
 

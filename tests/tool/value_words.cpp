@@ -250,7 +250,14 @@ TEST_CASE("a drive's register is the same by whatever place it is named")
     CHECK(outcome("atv320", "8501.3=1") == "single_bit");
     CHECK(outcome("atv320", "8501-8502:u16=1") == "several_registers");
     CHECK(outcome("", "input:40=6") == "read_only");
-    CHECK(outcome("", "40.3=1") == "single_bit");
+    CHECK(outcome("", "40.3=on") == "8 = 1");
+    CHECK(outcome("", "40.15=off") == "0 = 0");
+    CHECK(outcome("", "40.4-7=0xA") == "160 = 10");
+    CHECK(outcome("", "40.0-15=65535") == "65535 = 65535");
+    CHECK(outcome("", "40.3=2") == "not_a_number");
+    CHECK(outcome("", "40.4-7=16") == "not_a_number");
+    CHECK(outcome("", "40.4-7=-1") == "not_a_number");
+    CHECK(outcome("", "input:40.3=on") == "read_only");
     CHECK(outcome("", "coil:40=on") == "1 = 1");
     CHECK(outcome("", "40:0.1V=230.1V") == "2301 = 230.1 V");
     CHECK(outcome("", "40:text246=a").ends_with(" = a"));

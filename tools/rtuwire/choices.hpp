@@ -86,7 +86,8 @@ struct choices {
     std::vector<std::string> words{}; ///< registers, bytes, drives
     std::string search{};
     std::string group{};
-    bool is_factory{false}; ///< compares with the factory values
+    bool is_factory{false};  ///< compares with the factory values
+    bool may_rewrite{false}; ///< a register as it was read, with some bits changed
     std::string file{};
     std::string capture_form{"udp"};
     std::optional<double> every{}; ///< seconds; nothing: as the command thinks best

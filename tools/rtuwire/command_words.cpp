@@ -176,11 +176,14 @@ void add_writing(CLI::App& app, choices& chosen)
     add_operands(
         write, chosen, "REG=VALUE",
         "ACC=1.3s, SLL=YES, 3104=60Hz; of what is no drive, with --drive none, holding:40:0.1V=230.1V, coil:3=on, "
-        "40:f32:cdab=21.5",
+        "40:f32:cdab=21.5, 40.3=on",
         true);
-    add_to_footer(write,
-                  "A place of any device, written by function 05, 06 or 16; #2301 is a count without its scale:\n" +
-                      places_text());
+    write.add_flag("--read-modify-write", chosen.may_rewrite,
+                   "bits of a unit without function 22: read their register, and write all of it back");
+    add_to_footer(
+        write,
+        "A place of any device, written by function 05, 06, 16, or 22 for bits; #2301 is a count without its scale:\n" +
+            places_text());
     CLI::App& ask = add_command(app, chosen, "ask", "send any function, and show both frames");
     add_operands(ask, chosen, "FC HEX",
                  "the function and its data, in hexadecimal, without unit and CRC: 03 0C820001, 2B 0E 01 00, 11", true);

@@ -157,7 +157,8 @@ private:
         }
         std::string note;
         errc const outcome = send(line, value, note);
-        std::string const failure = line.words_of_failure(outcome) + hint_at_list({value.where, value.entry}, outcome);
+        std::string const failure = line.words_of_failure(outcome) + hint_at_list({value.where, value.entry}, outcome) +
+                                    remedy_of(value, outcome);
         bool const is_taken = outcome == errc::none;
         // An order is no value that stays, and a drive that saves is silent meanwhile.
         bool const is_order =
@@ -171,7 +172,7 @@ private:
         if (not is_read) {
             error = is_taken ? held.failure : failure;
             status = status_of(is_taken ? held.why : outcome);
-        } else if (held.words != value.words) {
+        } else if (not value.is_held_by(held.words)) {
             error = is_taken ? "the unit holds another value" : failure;
             status = is_taken ? exit_status::differs : status_of(outcome);
         } else if (is_refusal(outcome)) {
@@ -186,13 +187,33 @@ private:
         return status;
     }
 
-    /// By function 05 or 06, of several registers by 16. A device that lacks 05 or 06 is written by 15 or 16, which is noted.
+    /// What to do where the unit has no function that writes such a value.
+    std::string remedy_of(value_to_write const& value, errc why) const
+    {
+        if (why != errc::illegal_function or rules_.drive != nullptr) {
+            return {};
+        }
+        if (value.where.bit >= 0 and not chosen_.may_rewrite) {
+            return "; the unit has no function 22, which changes bits alone: --read-modify-write behind write reads "
+                   "the "
+                   "register and writes all of it back, so that what the unit changes in between is lost";
+        }
+        return value.words.size() > 1
+                   ? "; the unit has no function 16, the only one by which no half of a value of several "
+                     "registers stands there"
+                   : "";
+    }
+
+    /// By function 05 or 06, of several registers by 16, of bits by 22. A device that lacks 05 or 06 is written by 15 or 16, which is noted.
     errc send(open_line& line, value_to_write const& value, std::string& note)
     {
         std::uint16_t const address = value.where.address;
         bool const is_coil = value.where.is_single_bit();
         if (value.words.size() > 1) {
             return send_all(line, value);
+        }
+        if (value.where.bit >= 0) {
+            return send_bits(line, value, note);
         }
         errc const why = is_coil
                              ? line.ask(unit_.unit, rtuwire::write_single_coil{address, value.words[0] != 0}).error()
@@ -205,6 +226,30 @@ private:
                                   rtuwire::write_multiple_coils{address, rtuwire::bit_block{value.words[0] != 0}})
                              .error()
                        : send_all(line, value);
+    }
+
+    /// By function 22; where the unit lacks that, and somebody said so, all of the register as it was just read.
+    errc send_bits(open_line& line, value_to_write const& value, std::string& note)
+    {
+        std::uint16_t const mask = value.where.mask();
+        auto const others = static_cast<std::uint16_t>(~mask);
+        errc const why =
+            line.ask(unit_.unit, rtuwire::mask_write_register{value.where.address, others, value.words[0]}).error();
+        if (why != errc::illegal_function or not chosen_.may_rewrite) {
+            return why;
+        }
+        held_words const held = read_place(line, unit_.unit, value.where);
+        if (held.why != errc::none) {
+            return held.why;
+        }
+        value_to_write whole = value;
+        whole.where.bit = -1;
+        whole.words[0] = static_cast<std::uint16_t>((held.words[0] & others) | value.words[0]);
+        errc const outcome = send(line, whole, note);
+        std::string by = "the unit has no function 22: read, and written as a whole";
+        append(by, note);
+        note = by;
+        return outcome;
     }
 
     errc send_all(open_line& line, value_to_write const& value)

@@ -10,16 +10,6 @@ namespace {
 
 constexpr std::size_t longest_name = 40;
 
-/// The bits of a place's first register, and how many registers it has.
-unsigned mask_of(place const& where) noexcept
-{
-    if (where.bit < 0) {
-        return 0xFFFFU;
-    }
-    unsigned const last = static_cast<unsigned>(where.last_bit < 0 ? where.bit : where.last_bit);
-    return (0xFFFFU >> (15U - last)) & (0xFFFFU << static_cast<unsigned>(where.bit));
-}
-
 unsigned size_of(place const& where) noexcept
 {
     return where.is_single_bit() or where.bit >= 0 ? 1U : where.form.registers();
@@ -31,7 +21,7 @@ bool overlap(place const& one, place const& other) noexcept
 {
     bool const shares = one.space == other.space and one.address < other.address + size_of(other) and
                         other.address < one.address + size_of(one);
-    return shares and (one.address != other.address or (mask_of(one) & mask_of(other)) != 0);
+    return shares and (one.address != other.address or (one.mask() & other.mask()) != 0);
 }
 
 named_place const* named_places::by_name(std::string_view name) const noexcept

@@ -462,6 +462,15 @@ private:
 
 } // namespace
 
+std::uint16_t place::mask() const noexcept
+{
+    if (bit < 0) {
+        return 0xFFFF;
+    }
+    auto const last = static_cast<unsigned>(last_bit < 0 ? bit : last_bit);
+    return static_cast<std::uint16_t>((0xFFFFU >> (15U - last)) & (0xFFFFU << static_cast<unsigned>(bit)));
+}
+
 std::uint16_t value_form::registers() const noexcept
 {
     if (type == value_type::text) {

@@ -341,13 +341,38 @@ words_typed words_of_text(value_form const& form, std::string_view text)
     return typed;
 }
 
-words_typed words_of_coil(std::string_view text)
+/// On or off: 1 or 0.
+std::optional<std::uint16_t> state_in(std::string_view text)
 {
     bool const is_on = is_same_word(text, "on") or text == "1";
-    if (not is_on and not is_same_word(text, "off") and text != "0") {
-        return {.wrong = "a coil is on or off"};
+    bool const is_off = is_same_word(text, "off") or text == "0";
+    return is_on or is_off ? std::optional{is_on ? std::uint16_t{1} : std::uint16_t{0}} : std::nullopt;
+}
+
+words_typed words_of_coil(std::string_view text)
+{
+    auto const state = state_in(text);
+    return state ? words_typed{.words = {*state}} : words_typed{.wrong = "a coil is on or off"};
+}
+
+/// Bits of a register, where they stand in it.
+words_typed words_of_some_bits(place const& where, std::string_view text)
+{
+    bool const is_one = where.last_bit < 0;
+    unsigned const most = unsigned{where.mask()} >> static_cast<unsigned>(where.bit);
+    auto number = is_one ? state_in(text) : std::nullopt;
+    if (not is_one) {
+        bool const is_hex = text.starts_with("0x") or text.starts_with("0X");
+        std::string_view const digits = text.substr(is_hex ? 2 : text.starts_with('#') ? 1 : 0);
+        std::uint16_t typed = 0;
+        auto const [end, why] = std::from_chars(digits.data(), digits.data() + digits.size(), typed, is_hex ? 16 : 10);
+        bool const is_whole = not digits.empty() and why == std::errc{} and end == digits.data() + digits.size();
+        number = is_whole and typed <= most ? std::optional{typed} : std::nullopt;
     }
-    return {.words = {is_on ? std::uint16_t{1} : std::uint16_t{0}}};
+    if (not number) {
+        return {.wrong = is_one ? "a bit is on or off" : "these bits are one number from 0 to " + std::to_string(most)};
+    }
+    return {.words = {static_cast<std::uint16_t>(*number << static_cast<unsigned>(where.bit))}};
 }
 
 } // namespace
@@ -356,6 +381,9 @@ words_typed words_for(place const& where, std::string_view text)
 {
     if (where.is_single_bit()) {
         return words_of_coil(text);
+    }
+    if (where.bit >= 0) {
+        return words_of_some_bits(where, text);
     }
     value_type const type = where.form.type;
     if (type == value_type::text) {

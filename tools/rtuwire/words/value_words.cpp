@@ -71,12 +71,9 @@ private:
         }
         found_.where = chosen.registers[0].where;
         found_.entry = chosen.registers[0].entry;
-        if (found_.where.bit >= 0) {
-            return refuse("single_bit",
-                          drive_ == nullptr
-                              ? "a register is written as a whole: say its value, such as 0x0008"
-                              : "a register is written as a whole: name all its bits that shall be 1, as in "
-                                "CMD=switch_on+quick_stop");
+        if (found_.where.bit >= 0 and drive_ != nullptr) {
+            return refuse("single_bit", "a register is written as a whole: name all its bits that shall be 1, as in "
+                                        "CMD=switch_on+quick_stop");
         }
         if (found_.where.space == register_space::input or found_.where.space == register_space::discrete) {
             return refuse("read_only", "input registers and discrete inputs are read only");
@@ -380,8 +377,13 @@ std::string value_to_write::text_of_words(std::span<std::uint16_t const> held) c
     if (named != nullptr) {
         return value_of(*named, held).text;
     }
-    bool const is_plain = where.form.said.empty() and not where.is_single_bit();
+    bool const is_plain = where.form.said.empty() and not where.is_single_bit() and where.bit < 0;
     return is_plain ? std::to_string(held[0]) : value_of(where, held).text;
+}
+
+bool value_to_write::is_held_by(std::span<std::uint16_t const> held) const
+{
+    return where.bit < 0 ? std::ranges::equal(held, words) : (held[0] & where.mask()) == words[0];
 }
 
 value_to_write check_value(std::string_view word, vocabulary const& meant, known_words const& known)

@@ -32,14 +32,17 @@ struct value_to_write {
     place where{0};
     register_entry const* entry{nullptr}; ///< null where no table knows the address
     named_place const* named{nullptr};    ///< where it is written by its name in a register file
-    std::vector<std::uint16_t> words{};   ///< what stands on the wire; of a drive one; of a coil 0 or 1
-    std::string text{};                   ///< the same for people: "1.3 s"
-    std::optional<step_size> step{};      ///< of one count of a drive's register, where it is known
+    std::vector<std::uint16_t>
+        words{};                     ///< what stands on the wire; of a drive one; of bits they alone; of a coil 0 or 1
+    std::string text{};              ///< the same for people: "1.3 s"
+    std::optional<step_size> step{}; ///< of one count of a drive's register, where it is known
     /// Registers that set its limits or its step and have to be read first: read them, and check again.
     std::vector<register_entry const*> needed{};
     std::optional<refusal> refused{};
 
     [[nodiscard]] bool is_ready() const noexcept { return not refused and needed.empty(); }
+    /// Whether the words of that place are it.
+    [[nodiscard]] bool is_held_by(std::span<std::uint16_t const> held) const;
     /// What other words of that place are for people.
     [[nodiscard]] std::string text_of_words(std::span<std::uint16_t const> held) const;
 };
