@@ -153,6 +153,10 @@ void add_reading(CLI::App& app, choices& chosen)
         ->allow_extra_args(false);
     scan.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
     add_command(app, chosen, "identify", "who is it?");
+    CLI::App& map = add_command(app, chosen, "map", "which addresses does a unit have?");
+    add_operands(map, chosen, "RANGE",
+                 "input:1000-1999, list:40001-40100, coil, 0x0C80-0x0CFF; without one holding:0-9999 input:0-9999");
+    map.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
     add_places(add_command(app, chosen, "read", "read registers"), chosen, true);
     CLI::App& watch = add_command(app, chosen, "watch", "read registers again and again, a line each time");
     add_places(watch, chosen, true);

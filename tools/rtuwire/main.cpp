@@ -27,6 +27,7 @@ constexpr command commands[] = {
     {"simulate", run_simulate}, {"monitor", run_monitor},   {"decode", run_decode}, {"start", run_start},
     {"stop", run_stop},         {"reset", run_reset},       {"backup", run_backup}, {"compare", run_compare},
     {"restore", run_restore},   {"device", run_device},     {"ports", run_ports},   {"ask", run_ask},
+    {"map", run_map},
 };
 
 exit_status run(choices const& chosen)

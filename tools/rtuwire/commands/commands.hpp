@@ -10,6 +10,7 @@ namespace tool {
 
 exit_status run_scan(choices const& chosen);
 exit_status run_identify(choices const& chosen);
+exit_status run_map(choices const& chosen);
 exit_status run_ask(choices const& chosen);
 exit_status run_read(choices const& chosen);
 exit_status run_watch(choices const& chosen);

@@ -12,6 +12,7 @@ namespace {
 constexpr std::pair<std::string_view, std::string_view> examples[] = {
     {"scan", "rtuwire -p /dev/ttyUSB0 scan --units 1-31 --bauds 9600,19200 --resume cabinet.scan"},
     {"identify", "rtuwire -p /dev/ttyUSB0 -u 7 identify"},
+    {"map", "rtuwire -p /dev/ttyUSB0 -u 61 map input:0-1999 --resume meter.map"},
     {"read", "rtuwire -p /dev/ttyUSB0 -u 7 read RFR 'DP*' @monitor 3202"},
     {"watch", "rtuwire -p /dev/ttyUSB0 -u 7 --csv watch RFR LCR --every 200ms --for 8h > night.csv"},
     {"monitor", "rtuwire -p /dev/ttyUSB0 --name fan=7 --name pump=3 monitor"},

@@ -49,11 +49,17 @@ words_read words_of(open_line& line, rtuwire::unit_id unit, register_space space
 
 } // namespace
 
+held_words read_run(open_line& line, rtuwire::unit_id unit, register_space space, std::uint16_t start,
+                    std::uint16_t count)
+{
+    words_read read = words_of(line, unit, space, start, count);
+    return {read.why, std::move(read.words), read.why == errc::none ? std::string{} : line.words_of_failure(read.why)};
+}
+
 held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where)
 {
-    words_read read = words_of(line, unit, where.space, where.address,
-                               where.is_single_bit() ? std::uint16_t{1} : where.form.registers());
-    return {read.why, std::move(read.words), read.why == errc::none ? std::string{} : line.words_of_failure(read.why)};
+    return read_run(line, unit, where.space, where.address,
+                    where.is_single_bit() ? std::uint16_t{1} : where.form.registers());
 }
 
 register_reader::register_reader(std::vector<chosen_register> const& chosen, vocabulary const& known)

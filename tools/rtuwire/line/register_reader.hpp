@@ -28,6 +28,10 @@ struct held_words {
     std::string failure{};              ///< why, in words
 };
 
+/// Asks for so many addresses, as many as one request may have.
+held_words read_run(open_line& line, rtuwire::unit_id unit, register_space space, std::uint16_t start,
+                    std::uint16_t count);
+
 /// Asks for one place.
 held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where);
 

@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Finds which addresses a unit has: as many at once as it answers, in halves what it refuses, one alone where that is
+// refused, too. It only reads.
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "commands/commands.hpp"
+#include "line/end_wish.hpp"
+#include "line/left_alone.hpp"
+#include "line/line_words.hpp"
+#include "line/map_log.hpp"
+#include "line/map_words.hpp"
+#include "line/open_line.hpp"
+#include "line/register_reader.hpp"
+#include "line/who_is_it.hpp"
+#include "motion/question.hpp"
+#include "output/plain_text.hpp"
+#include "output/progress.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::errc;
+
+/// How many addresses a unit is asked for at once, by what it answered so far.
+class window {
+public:
+    explicit window(unsigned most) : all_{most}, most_{most}, size_{most} {}
+
+    [[nodiscard]] unsigned size() const { return size_; }
+
+    void take(unsigned first, unsigned count)
+    {
+        singles_ = count > 1 ? 0 : singles_ + (refused_pairs_.contains(first - 1) and first == last_alone_ + 1 ? 1 : 0);
+        last_alone_ = count > 1 ? nowhere : first;
+        most_ = singles_ < enough_pairs ? most_ : 1; // it answers one register a request
+        size_ = std::min(2 * count, most_);
+    }
+    /// Whether it is to be asked in smaller parts: one alone is what it is.
+    [[nodiscard]] bool halve(unsigned first, unsigned count, errc why)
+    {
+        if (count == 2) {
+            refused_pairs_.insert(first);
+        }
+        if (why == errc::illegal_data_value and singles_ < enough_pairs) { // too many at once, or it has none there
+            most_ = count > 1 ? count / 2 : all_;
+        }
+        size_ = std::max(count / 2, 1U);
+        return count > 1;
+    }
+
+private:
+    static constexpr unsigned enough_pairs = 3, nowhere = 0x1'0000;
+
+    unsigned all_; ///< that its function allows
+    unsigned most_;
+    unsigned size_;
+    unsigned singles_{0};
+    unsigned last_alone_{nowhere};
+    std::set<unsigned> refused_pairs_{};
+};
+
+class mapping {
+public:
+    explicit mapping(choices const& chosen)
+        : chosen_{chosen}, ranges_{ranges_in(chosen.words)}, unit_{unit_in(chosen.line)},
+          log_{chosen.scan.resume_file, unit_.unit.byte()}, results_{chosen.form, true}, bar_{addresses()}
+    {}
+
+    exit_status run()
+    {
+        open_line line{chosen_.line};
+        drive_catalog const* const drive = drive_there(line);
+        note_signals();
+        bool is_through = true;
+        try {
+            for (address_range const& each : ranges_) {
+                is_through = is_through and walk(line, each, drive);
+            }
+        } catch (ended const&) { // what was found is told all the same
+            finish();
+            tell_end();
+            throw;
+        }
+        finish();
+        if (drive != nullptr) {
+            leave(line, *drive);
+        }
+        if (noted_signal() != 0) {
+            tell_end();
+            return static_cast<exit_status>(128 + noted_signal());
+        }
+        return is_through and here_ == 0 ? exit_status::differs : exit_status::done;
+    }
+
+private:
+    void finish()
+    {
+        close_run();
+        bar_.clear();
+        results_.finish();
+    }
+
+    void tell_end() const
+    {
+        std::fprintf(stderr, "ended after %zu of %zu addresses%s\n", done_, addresses(),
+                     chosen_.scan.resume_file.empty() ? "; with --resume FILE the same command would go on from there"
+                                                      : "; the same command goes on from there");
+    }
+
+    std::size_t addresses() const
+    {
+        std::size_t all = 0;
+        for (address_range const& each : ranges_) {
+            all += each.last - each.first + 1;
+        }
+        return all;
+    }
+
+    /// Who is asked for hours is told what that does to it, where it is a drive. The drive, where it is known.
+    drive_catalog const* drive_there(open_line& line) const
+    {
+        if (line.port().is_simulated() or unit_.drive == no_drive) {
+            return nullptr;
+        }
+        identity_words const who = unit_.drive.empty() ? who_is_it(line, unit_.unit)
+                                                       : identity_words{.drive = unit_.drive, .may_be_drive = true};
+        if (who.drive.empty() and not who.may_be_drive) {
+            return nullptr;
+        }
+        std::string const what =
+            "unit " + std::to_string(unit_.unit.byte()) +
+            (who.drive.empty() ? " may be a drive" : " is an " + who.drive) +
+            ": a map begins its supervision of the line, so that it shows the fault SLF at its next start "
+            "once nobody asks it, and holds that off meanwhile: a motor whose controller has gone runs on";
+        if (is_asked(chosen_.allowed)) {
+            if (not may_go_on(chosen_.allowed, what, "map it?")) {
+                throw ended{exit_status::refused, "nothing was mapped"};
+            }
+        } else if (not chosen_.allowed.is_confirmed) {
+            refuse_for_safety(what + "; to map it, say --yes");
+        }
+        return who.drive.empty() ? nullptr : &catalog_chosen(who.drive);
+    }
+
+    static unsigned most_of(register_space space, drive_catalog const* drive)
+    {
+        return space >= register_space::coil                           ? rtuwire::max_bit_quantity
+               : drive != nullptr and space == register_space::holding ? drive->limits.read
+                                                                       : rtuwire::max_read_quantity;
+    }
+
+    /// All addresses of a range; false where somebody ended it.
+    bool walk(open_line& line, address_range const& range, drive_catalog const* drive)
+    {
+        window size{most_of(range.space, drive)};
+        bool has_answered = false;
+        for (unsigned at = range.first; at <= range.last;) {
+            if (noted_signal() != 0 or not results_.is_open()) {
+                return false;
+            }
+            if (found_address const before = log_.at(range.space, at); before.what != found_address::kind::unknown) {
+                pass(range.space, at++, before);
+                continue;
+            }
+            unsigned const count = unknown_from(range, at, size.size());
+            bar_.show(done_, ", at " + std::string{name_of(range.space)} + ':' + std::to_string(at) + ", " +
+                                 std::to_string(here_) + " found");
+            held_words const held = read_run(line, unit_.unit, range.space, static_cast<std::uint16_t>(at),
+                                             static_cast<std::uint16_t>(count));
+            if (held.why == errc::illegal_function and not has_answered) {
+                tell("the unit has no " + std::string{name_of(range.space)} + " addresses: " + held.failure);
+                done_ += range.last - at + 1;
+                return true;
+            }
+            refuse_lost(line, held, range.space, at, count);
+            has_answered = has_answered or held.why == errc::none;
+            if (held.why == errc::none) {
+                size.take(at, count);
+                keep(range.space, at, count, {found_address::kind::here});
+            } else if (not size.halve(at, count, held.why)) {
+                bool const is_none = held.why == errc::illegal_data_address or held.why == errc::illegal_data_value;
+                keep(range.space, at, 1,
+                     is_none ? found_address{found_address::kind::none}
+                             : found_address{found_address::kind::other, plain_text(held.failure)});
+                ++at;
+                continue;
+            }
+            at += held.why == errc::none ? count : 0;
+        }
+        return true;
+    }
+
+    /// So many addresses, up to one that is known.
+    unsigned unknown_from(address_range const& range, unsigned at, unsigned most) const
+    {
+        unsigned count = 1;
+        while (count < most and at + count <= range.last and
+               log_.at(range.space, at + count).what == found_address::kind::unknown) {
+            ++count;
+        }
+        return count;
+    }
+
+    /// Ends the command where the port fails, the line echoes, or the unit is silent to what it has answered before. One that
+    /// is silent to what it lacks is asked on.
+    void refuse_lost(open_line& line, held_words const& held, register_space space, unsigned at, unsigned count)
+    {
+        if (status_of(held.why) == exit_status::port) {
+            throw ended{exit_status::port, line.port().failure()};
+        }
+        if (held.why == errc::line_echo) {
+            throw ended{exit_status::differs, held.failure};
+        }
+        if (held.why != errc::timed_out) {
+            if (held.why == errc::none or rtuwire::is_exception(held.why)) {
+                answered_ = {space, static_cast<std::uint16_t>(at), static_cast<std::uint16_t>(count)};
+                is_there_ = true;
+            }
+            silent_ = 0;
+            return;
+        }
+        constexpr unsigned patience = 3;
+        if (++silent_ < patience and is_there_) {
+            return;
+        }
+        silent_ = 0;
+        rtuwire::read_device_identification const anything{rtuwire::identification_access::basic, 0};
+        errc const again = answered_
+                               ? read_run(line, unit_.unit, answered_->space, answered_->first, answered_->count).why
+                               : line.ask(unit_.unit, anything).error();
+        is_there_ = again != errc::timed_out;
+        if (not is_there_) {
+            throw ended{exit_status::no_answer, "unit " + std::to_string(unit_.unit.byte()) +
+                                                    (answered_ ? " answers no more" : ": " + held.failure)};
+        }
+    }
+
+    void keep(register_space space, unsigned first, unsigned count, found_address const& found)
+    {
+        log_.note(space, first, first + count - 1, found);
+        for (unsigned each = first; found.what == found_address::kind::here and each < first + count; ++each) {
+            pass(space, each, found);
+        }
+        if (found.what != found_address::kind::here) {
+            pass(space, first, found);
+        }
+    }
+
+    /// In rising order: addresses of a kind are a row.
+    void pass(register_space space, unsigned address, found_address const& found)
+    {
+        ++done_;
+        here_ += found.what == found_address::kind::here ? 1 : 0;
+        bool const goes_on =
+            run_ and run_->where.space == space and run_->where.last + 1 == address and run_->found == found;
+        if (goes_on) {
+            run_->where.last = address;
+            return;
+        }
+        close_run();
+        run_ = {{space, address, address}, found};
+    }
+
+    void close_run()
+    {
+        bool const is_shown = run_ and run_->found.what != found_address::kind::none;
+        if (is_shown) {
+            bar_.clear();
+            results_.put({{"unit", std::int64_t{unit_.unit.byte()}},
+                          {"space", std::string{name_of(run_->where.space)}},
+                          {"first", std::int64_t{run_->where.first}},
+                          {"last", std::int64_t{run_->where.last}},
+                          {"count", std::int64_t{run_->where.last - run_->where.first + 1}},
+                          {"note", run_->found.why}});
+        }
+        run_.reset();
+    }
+
+    void tell(std::string const& text)
+    {
+        bar_.clear();
+        std::fprintf(stderr, "note: %s\n", plain_text(text).c_str());
+    }
+
+    void leave(open_line& line, drive_catalog const& drive)
+    {
+        left_alone left;
+        left.note(line, unit_.unit, drive, shown_command(chosen_.line, unit_.unit, "--write reset"));
+        if (std::string const sentence = left.sentence(); not sentence.empty()) {
+            tell(sentence);
+        }
+    }
+
+    struct asked_run {
+        register_space space;
+        std::uint16_t first;
+        std::uint16_t count;
+    };
+    struct run_of_addresses {
+        address_range where;
+        found_address found;
+    };
+
+    choices const& chosen_;
+    std::vector<address_range> ranges_;
+    named_unit unit_;
+    map_log log_;
+    output results_;
+    progress bar_;
+    std::optional<run_of_addresses> run_{};
+    std::optional<asked_run> answered_{}; ///< the last that the unit answered
+    std::size_t done_{0};
+    std::size_t here_{0};
+    unsigned silent_{0};
+    bool is_there_{false};
+};
+
+} // namespace
+
+exit_status run_map(choices const& chosen) { return mapping{chosen}.run(); }
+
+} // namespace tool
