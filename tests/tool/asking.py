@@ -115,14 +115,21 @@ def check_failures(tool, check):
     check(ended.status == DIFFERS and response[:3] == bytes([FIRST, 0x83, 2]) and "exception 0x02" in error, "an exception", ended)
     ended, request, response, error = ask(tool, check, NOBODY, ["03", "00000001"])
     check(ended.status == NO_ANSWER and request and not response and "no response" in error, "silence", ended)
-    ended, _, response, error = ask(tool, check, FIRST, ["03", "0000"])
-    check(ended.status in (DIFFERS, NO_ANSWER) and error, "a request that is cut short is sent all the same", ended)
+    for beside in ([], NONE):
+        ended = tool.run(*QUIET, *beside, "-u", FIRST, "ask", "03", "0000")
+        check(ended.status == REFUSED and not ended.output, f"a request that is cut short is not free, {beside}", ended)
+    ended, _, response, error = ask(tool, check, FIRST, ["03", "0000"], *NONE, "--allow-run")
+    check(ended.status in (DIFFERS, NO_ANSWER) and error, "and is sent with both permissions", ended)
     tool.run(*QUIET, "-u", FIRST, "ask", "07")  # pymodbus has kept the beginning, and takes this for the rest
     for words, says in ((["03", "0C8"], "3 digits"), (["03", "0G"], "hexadecimal"), (["80"], "01 to 7F"), (["00"], "01 to 7F"),
                         (["03", *["00"] * 253], "at most 252"), (["03", "1"], "1 digit"), (["0x"], "hexadecimal"),
                         ([with_crc(bytes([FIRST, 3, 0, 0, 0, 1])).hex(" ")], "03 00 00 00 01")):
         ended = tool.run(*QUIET, "-u", FIRST, "ask", *words)
         check(ended.status == USAGE and says in ended.errors and not ended.output, f"{words[:3]} is refused", ended)
+    for inner in (bytes([SECOND, 6, 0, 5, 0, 7]), bytes([SECOND, 16, 0, 5, 0, 1, 2, 0, 7]), bytes([0, 5, 0, 1, 0xFF, 0])):
+        for words in (["08", "0000A5A5", with_crc(inner).hex()], ["41", "01", with_crc(inner).hex()]):
+            ended = tool.run(*QUIET, *NONE, "--allow-run", "-u", FIRST, "ask", *words)
+            check(ended.status == REFUSED and "whole frame" in ended.errors, f"{words}: a frame within is refused", ended)
     ended = tool.run(*QUIET, "-u", FIRST, "ask", "43", "0E0100")
     check(ended.status == REFUSED and "is 2B" in ended.errors, "a decimal number is hinted at", ended)
 

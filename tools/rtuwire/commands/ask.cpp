@@ -101,6 +101,7 @@ public:
         : chosen_{chosen}, pdu_{pdu_in(chosen.words)}, is_free_{only_reads(pdu_)},
           is_broadcast_{chosen.line.unit == "0"}, printer_{chosen.form}
     {
+        refuse_frame_within(frame_of(std::byte{1}, pdu_));
         if (not is_free_) {
             refuse_without_write();
             refuse_unreadable(pdu_);

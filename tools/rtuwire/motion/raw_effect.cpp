@@ -9,6 +9,7 @@
 #include "exit_status.hpp"
 #include "frame/frame_fit.hpp"
 #include "frame/function_text.hpp"
+#include "frame/hex_text.hpp"
 #include "motion/checked_values.hpp"
 #include "motion/moving_registers.hpp"
 #include "motion/unsafe_write.hpp"
@@ -85,6 +86,29 @@ bool reaches_objects(byte_view pdu)
     return code_of(pdu) == function_code::encapsulated_interface and pdu.size() > 1 and pdu[1] == std::byte{13};
 }
 
+/// One of a function that has no specification is.
+bool is_as_specified(byte_view pdu) { return flaw_of(pdu, rtuwire::frame_role::request) == rtuwire::errc::none; }
+
+constexpr std::size_t shortest_write = 8; ///< a whole frame that writes
+
+/// The size of the frame that begins here, of at least `shortest_write` bytes, where it is a request that writes; else 0.
+std::size_t size_of_write(byte_view from)
+{
+    auto const counted = [from](std::size_t at) {
+        return at < from.size() ? at + 3 + std::to_integer<std::size_t>(from[at]) : 0;
+    };
+    if (not place_writes.contains(static_cast<function_code>(from[1]))) {
+        return 0;
+    }
+    switch (std::to_integer<unsigned>(from[1])) {
+    case 15:
+    case 16: return counted(6);
+    case 22: return 10;
+    case 23: return counted(10);
+    default: return shortest_write;
+    }
+}
+
 } // namespace
 
 bool only_reads(byte_view pdu)
@@ -96,7 +120,19 @@ bool only_reads(byte_view pdu)
                                             read_fifo_queue};
     bool const says_back = code_of(pdu) == diagnostics and pdu.size() > 2 and word_at(pdu, 1) == 0;
     bool const identifies = code_of(pdu) == encapsulated_interface and pdu.size() > 1 and pdu[1] == std::byte{14};
-    return reading.contains(code_of(pdu)) or says_back or identifies;
+    return (reading.contains(code_of(pdu)) or says_back or identifies) and is_as_specified(pdu);
+}
+
+void refuse_frame_within(byte_view frame)
+{
+    for (std::size_t at = 1; at + shortest_write <= frame.size(); ++at) {
+        byte_view const rest = frame.subspan(at);
+        std::size_t const size = size_of_write(rest);
+        if (size != 0 and size <= rest.size() and rtuwire::crc16(rest.first(size)) == 0) {
+            refuse_for_safety("its bytes hold a whole frame, " + hex_of(rest.first(size)) +
+                              ": a unit that ends a frame by its length takes that for a request of its own");
+        }
+    }
 }
 
 std::string words_of_function(byte_view pdu)
@@ -118,7 +154,7 @@ std::string words_of_function(byte_view pdu)
 
 void refuse_unreadable(byte_view pdu)
 {
-    if (place_writes.contains(code_of(pdu)) and flaw_of(pdu, rtuwire::frame_role::request) != rtuwire::errc::none) {
+    if (place_writes.contains(code_of(pdu)) and not is_as_specified(pdu)) {
         refuse_word(words_of_function(pdu) + ": its data is " +
                     std::string{rtuwire::name(flaw_of(pdu, rtuwire::frame_role::request))} +
                     ", so nobody knows what a unit writes by it; `decode` shows a frame field by field");
@@ -142,6 +178,11 @@ std::vector<value_to_write> checked_request(byte_view pdu, open_line& line, name
     if (reaches_objects(pdu) and (is_drive or rules.command)) {
         refuse_for_safety(number + (is_drive ? " is a drive: " : " may be a drive: ") + what +
                           " of type 13, reaches its command as well");
+    }
+    if (not chosen.allowed.may_run and not is_as_specified(pdu)) {
+        refuse_for_safety(what +
+                          ": its data is not as the specification has it, so nobody knows what a unit makes of it; "
+                          "to send it, say --allow-run besides");
     }
     if (not chosen.allowed.may_run and not rules.says_it_is_none) {
         refuse_for_safety(number +

@@ -16,8 +16,11 @@
 
 namespace tool {
 
-/// Whether a request only reads, on a unit of whatever maker.
+/// Whether a request only reads, on a unit of whatever maker, and is as the specification has it.
 [[nodiscard]] bool only_reads(rtuwire::byte_view pdu);
+
+/// Refuses a frame in whose bytes stands another one that writes: who ends a frame by its length takes the rest for that.
+void refuse_frame_within(rtuwire::byte_view frame);
 
 /// "function 06, write single register"; of one that is not public, and that a decimal number may have meant, with that.
 [[nodiscard]] std::string words_of_function(rtuwire::byte_view pdu);
