@@ -187,3 +187,51 @@ TEST_CASE("rule 32: a stop in a slot takes the line from no urgent stop, and lea
     other.wanted = effect::stopping;
     meet(other, write_of(4, 8'501, 0));
 }
+
+TEST_CASE("rule 32: one that is urgent keeps the slots from asking, whatever else comes first in the pass")
+{
+    for (bool const is_last : {false, true}) { // it comes behind one that has settled
+        INFO(is_last);
+        bus_desk it;
+        hand_commander urgent{4};
+        urgent.goes_on = true; // and has nothing to say now
+        single_request settled{broadcast, write_single_register{8501, 0}};
+        it.link.run_urgent(settled, it.now);
+        REQUIRE_FALSE(it.link.poll_transmit().empty());
+        it.link.sent(it.now);
+        it.pass(milliseconds(200));
+        it.link.run_urgent(settled, it.now);
+        REQUIRE(settled.settled());
+        it.pass(milliseconds(200));
+        series poll{[](unsigned) { return read_of(5, 3'201); }};
+        if (is_last) {
+            it.link.run_urgent(settled, it.now);
+        }
+        it.link.run_urgent(urgent, it.now);
+        if (not is_last) {
+            it.link.run_urgent(settled, it.now);
+        }
+        CHECK_FALSE(it.asks(1, poll));
+        it.pass(milliseconds(5));
+        it.link.run_urgent(settled, it.now);
+        CHECK(it.asks(1, poll)); // up to the next `advance`
+    }
+}
+
+TEST_CASE("rule 32: a stop in a slot ends no urgent request that has not left")
+{
+    bus_desk it;
+    hand_commander stop{3};
+    stop.note_stop();
+    stop.wanted = effect::stopping;
+    stop.has_request = true;
+    it.link.receive(frame_bytes{std::byte{0x55}}, it.now); // the line is not quiet
+    single_request urgent{broadcast, write_single_register{8501, 0}};
+    it.link.run_urgent(urgent, it.now);
+    CHECK_FALSE(it.asks(0, stop));
+    it.pass(milliseconds(10));
+    it.link.run_urgent(urgent, it.now);
+    CHECK(it.asks(0, stop)); // at the end of this pass the urgent one leaves
+    CHECK(it.left == write_of(0, 8'501, 0));
+    CHECK_FALSE(urgent.settled());
+}

@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t rows = 3;
 constexpr std::size_t slots = 4;
-constexpr std::size_t first = slots; ///< the place of the conversation that comes before all slots
+constexpr std::size_t first = slots; ///< from here on: the conversations that come before all slots
+constexpr std::size_t all = first + 2;
 
 /// Pauses between its requests, where `pause` is not zero.
 struct pacing {
@@ -143,7 +144,7 @@ rtuwire::bus_options library(model::share const& of)
 struct world : compare::schedule {
     rtuwire::bus<slots, rtuwire::observed_by<rtuwire::unit_statistics<rows>>> engine;
     model::bus second;
-    std::vector<both> conversations{slots + 1};
+    std::vector<both> conversations{all};
     std::optional<microseconds> advanced{}; ///< the latest `advance`
     bool is_rested{false}; ///< nothing was due for hours: what begins before the next `advance` may end more than 71
                            ///< minutes after the one before
@@ -239,7 +240,7 @@ struct world : compare::schedule {
         both& one = conversations[index];
         compare::procedure what = compare::any_procedure(roll);
         what.id = static_cast<int>(index);
-        std::uint8_t const unit = static_cast<std::uint8_t>(index == first ? 0 : 1 + index);
+        std::uint8_t const unit = static_cast<std::uint8_t>(index >= first ? 0 : 1 + index);
         for (bytes& each : what.requests) {
             if (each.size() >= 4 and roll.chance(85)) {
                 each.resize(each.size() - 2);
@@ -247,7 +248,7 @@ struct world : compare::schedule {
                 each = model::with_crc(each);
             }
         }
-        if (index == first) {
+        if (index >= first) {
             what.is_endless = false;
         }
         what.asked = one.second.says.asked;
@@ -283,7 +284,7 @@ struct world : compare::schedule {
     }
     void interfere()
     {
-        std::size_t const index = roll.below(slots + 1);
+        std::size_t const index = roll.below(all);
         both& one = conversations[index];
         switch (roll.below(13)) {
         case 0:
@@ -338,7 +339,7 @@ struct world : compare::schedule {
             one.engine.forget();
             one.second.whose.forget();
             break;
-        case 10: begin(first); break;
+        case 10: begin(first + roll.below(all - first)); break;
         default: line.disturb(now); return;
         }
     }
@@ -346,15 +347,15 @@ struct world : compare::schedule {
     void converse(std::size_t index)
     {
         both& one = conversations[index];
-        number_step(index == first ? "converse first" : "converse", static_cast<long long>(index));
+        number_step(index >= first ? "converse first" : "converse", static_cast<long long>(index));
         one.as_its_kind([&](auto& conversation) {
-            if (index == first) {
+            if (index >= first) {
                 engine.run_urgent(conversation, clock.at(now));
             } else {
                 engine.converse(index, conversation, clock.at(now));
             }
         });
-        if (index == first) {
+        if (index >= first) {
             second.run_urgent(one.second, now);
         } else {
             second.converse(index, one.second, now);
@@ -372,8 +373,10 @@ struct world : compare::schedule {
         if (roll.chance(97) or is_rested) {
             advance();
         }
-        if (roll.chance(conversations[first].second.settled() ? 10 : 95)) {
-            converse(first);
+        for (std::size_t i = first; i < all; ++i) {
+            if (roll.chance(conversations[i].second.settled() ? 10 : 95)) {
+                converse(i);
+            }
         }
         for (std::size_t i = 0; i < slots and not told.failed(); ++i) {
             if (conversations[i].second.settled() and roll.chance(15)) {

@@ -109,11 +109,11 @@ public:
         if (who.is_timed) {
             who.advance(now);
         }
-        is_urgent_ = not who.settled();
+        is_urgent_ = is_urgent_ or not who.settled();
         if (who.is_timed) {
             wake_at(urgent_wake_, who.poll_deadline(), now);
         }
-        if (is_urgent_ and inner.ask(who, now, slots_[0].options.with) == client::turn::taken) {
+        if (not who.settled() and inner.ask(who, now, slots_[0].options.with) == client::turn::taken) {
             asked_at_ = now;
         }
         happened();

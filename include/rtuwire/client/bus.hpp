@@ -185,7 +185,7 @@ public:
         stays_awake_ = stays_awake_ or stays_awake<Conversation> or not conversation.settled();
         static_cast<void>(client_.deliver(conversation, not conversation.settled(), now));
         client_.advance_and_note(conversation, now);
-        is_urgent_ = not conversation.settled() and is_urgent(conversation);
+        is_urgent_ = is_urgent_ or (not conversation.settled() and is_urgent(conversation));
         wake_at(wake_of(conversation), now);
         if (not conversation.settled() and
             client_.ask(conversation, now, slots_[0].options.with) == detail::turn_result::asked) {
@@ -542,7 +542,7 @@ private:
     bool stays_awake_{false};      ///< one that no pass leaves out visited since then
     bool has_silent_{false};       ///< in an idle pass: a slot is silent
     bool is_probe_limited_{false}; ///< silent slots wait until `probe_at_`
-    bool is_urgent_{false};
+    bool is_urgent_{false};        ///< one of `run_urgent` keeps the slots from asking, in this pass
     detail::visit_stage stage_{detail::visit_stage::changing};
     instant asked_at_{0};
     instant probe_at_{0};
