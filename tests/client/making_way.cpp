@@ -284,6 +284,66 @@ TEST_CASE("rule 40: a request that was given up counts where it had left, and is
     }
 }
 
+TEST_CASE("rule 40: one that was cancelled counts also where a stop comes by before its asker")
+{
+    for (unsigned const stopped : {3U, 4U}) { // its unit, another one
+        for (bool const has_left : {false, true}) {
+            INFO(stopped << ' ' << has_left);
+            command_desk<2> it;
+            hand_commander one{3};
+            REQUIRE(it.runs(one) == errc::none);
+            series poll = reader(3);
+            it.link.converse(poll, it.now());
+            if (has_left) {
+                REQUIRE(it.leaves());
+                it.pass(5'000);
+            }
+            it.link.cancel(it.now());
+            hand_commander stop{stopped};
+            stop.note_stop();
+            stop.wanted = effect::stopping;
+            CHECK(it.says(stop));
+            CHECK(it.is_lost(3) == has_left);
+        }
+    }
+}
+
+TEST_CASE("rule 40: a request that a stop cuts short does not count, whoever comes by first and when")
+{
+    for (bool const has_left : {false, true}) {
+        for (bool const is_stop_first : {false, true}) {
+            INFO(has_left << ' ' << is_stop_first);
+            command_desk<1> it;
+            hand_commander one{3};
+            REQUIRE(it.runs(one) == errc::none);
+            series poll = reader(3);
+            it.link.converse(poll, it.now());
+            REQUIRE_FALSE(it.link.poll_transmit().empty());
+            it.pass(4'000);
+            if (has_left) {
+                it.link.sent(it.now());
+                it.pass(5'000);
+            }
+            stop_of_3 stop;
+            it.link.converse(stop, it.now());
+            if (not has_left) {
+                it.link.sent(it.now());
+                it.pass(5'000);
+            }
+            if (is_stop_first) {
+                it.link.converse(stop, it.now());
+            }
+            it.link.converse(poll, it.now());
+            CHECK(poll.last == errc::cancelled);
+            it.link.converse(stop, it.now());
+            CHECK_FALSE(it.is_lost(3));
+            CHECK(it.leaves());
+            CHECK(is_word(it.left));
+            CHECK(stop.losses == 0);
+        }
+    }
+}
+
 TEST_CASE("rule 40: a response to a repetition is a response")
 {
     command_desk<1> it{eager};

@@ -321,15 +321,16 @@ public:
             bool const stops = conversation.begins_to_stop();
             note_commander(conversation, now);
             if (stops and not is_asked_by(conversation)) {
-                schedule_.withdraw(conversation.unit().byte(), now); // its first request may be a read
+                note_way(schedule_.withdraw(conversation.unit().byte(), now), now); // its first request may be a read
             }
         }
         if constexpr (may_stop_motors<Conversation>) {
             bool const is_due = may_ask and detail::effect_of(conversation) == detail::effect::stopping;
             if (is_due and not is_asked_by(conversation) and
                 check_order(conversation, detail::effect::stopping) == errc::none and not schedule_.is_free()) {
-                schedule_.make_way_for(conversation, detail::unit_stopped_by(conversation),
-                                       detail::may_cut(conversation, asked_unit()), now);
+                note_way(schedule_.make_way_for(conversation, detail::unit_stopped_by(conversation),
+                                                detail::may_cut(conversation, asked_unit()), now),
+                         now);
             }
         }
     }
@@ -455,6 +456,19 @@ private:
     {
         orders_.note_outcome(asked_unit(), transaction().heard_of_unit(), transaction().was_repeated(), now);
         return transaction().take_outcome();
+    }
+
+    /// A stop has the line made free for it; `is_cut`: the request under way is given up for that. One that was given up
+    /// ends, and its asker is told at its next visit. Not inlined: it is called for each kind of conversation.
+    [[gnu::noinline]] constexpr void note_way(bool is_cut, instant now) noexcept
+    {
+        if (is_cut) {
+            orders_.note_cut();
+        }
+        if (transaction().is_given_up()) {
+            static_cast<void>(take_and_note_outcome(now));
+            turns().void_marks(); // this visit counts once
+        }
     }
 
     /// Whether a conversation may ask now: a stop request does not wait for its turn.

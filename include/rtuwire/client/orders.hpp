@@ -70,6 +70,7 @@ public:
         count_ = newer_of(count_, original.count_);
         all_ = original.all_;
         is_by_commander_ = original.is_by_commander_;
+        is_cut_ = original.is_cut_;
         asked_ = original.asked_;
         wake_ = original.wake_;
         places_ = original.places_;
@@ -286,11 +287,11 @@ public:
     }
 
     /// The outcome of a request of any conversation to a unit; where the client repeated it, a missing response is no longer
-    /// tolerated. One that ended as `cancelled` tells nothing of its unit: it never left.
+    /// tolerated. One that a stop cut short, or that ended as `cancelled` and never left, tells nothing of its unit.
     constexpr void note_outcome(std::uint8_t unit, errc error, bool was_repeated, instant now) noexcept
     {
         unit_order* const own = places_.find(unit);
-        if (own == nullptr or error == errc::cancelled) {
+        if (own == nullptr or is_cut_ or error == errc::cancelled) {
             return;
         }
         bool const is_answered = error == errc::none or is_exception(error);
@@ -321,7 +322,11 @@ public:
     {
         asked_ = now;
         is_by_commander_ = false;
+        is_cut_ = false;
     }
+
+    /// The request under way is given up for a stop.
+    constexpr void note_cut() noexcept { is_cut_ = true; }
 
     /// Whether a unit gets no request of this effect now; for a broadcast (0), whether one of the units is lost.
     [[nodiscard]] constexpr bool is_silent(std::uint8_t unit, effect what) const noexcept
@@ -589,6 +594,7 @@ private:
     std::uint32_t stopped_all_{0}; ///< the stamp of the last stop of all units
     [[no_unique_address]] stop_of_all all_{};
     bool is_by_commander_{false}; ///< the last request
+    bool is_cut_{false};          ///< a stop cut it short
     instant asked_{0};            ///< when the last request was taken, to any unit
     deadline wake_{};
     order_places<Units> places_;

@@ -364,8 +364,8 @@ public:
 
     /// A conversation visits with a stop request. Until that has left, no other conversation sends; a request under way that
     /// `may_cut` is given up, unless its response is arriving. Another one is not repeated, and given up where it has not left
-    /// and is no stop's.
-    constexpr void make_way_for(asker& who, std::uint8_t unit, bool may_cut, instant now) noexcept
+    /// and is no stop's. Returns whether one is given up now.
+    constexpr bool make_way_for(asker& who, std::uint8_t unit, bool may_cut, instant now) noexcept
     {
         bool const may_drop = may_cut or not reservation_.is_for_stops();
         // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits: those for
@@ -374,27 +374,17 @@ public:
             not(reservation_.is_on() and transaction_.awaits_asker(reservation_.is_for_stops()))) {
             reservation_.begin(turns_, who, unit);
         }
-        give_up(may_cut, may_drop, now);
+        return transaction_.make_way(may_cut, may_drop, now);
     }
 
-    /// A stop has begun: what has not left for its unit, and is no stop's, does not leave.
-    constexpr void withdraw(std::uint8_t unit, instant now) noexcept
+    /// A stop has begun: what has not left for its unit, and is no stop's, does not leave. Returns whether there is such.
+    constexpr bool withdraw(std::uint8_t unit, instant now) noexcept
     {
-        if (transaction_.asked_unit() == unit and not reservation_.is_for_stops()) {
-            give_up(false, true, now);
-        }
+        return transaction_.asked_unit() == unit and not reservation_.is_for_stops() and
+               transaction_.make_way(false, true, now);
     }
 
 private:
-    constexpr void give_up(bool may_cut, bool may_drop, instant now) noexcept
-    {
-        transaction_.make_way(may_cut, may_drop, now);
-        if (transaction_.was_cut()) {
-            static_cast<void>(transaction_.take_outcome()); // its asker is told that it was cancelled
-            turns_.void_marks();                            // this visit counts once
-        }
-    }
-
     // Small processors reach what is near with short instructions: what each pass uses stands in front of the transaction,
     // which ends with the memory of a frame.
     [[no_unique_address]] detail::turns turns_;

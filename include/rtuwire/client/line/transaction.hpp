@@ -257,20 +257,24 @@ public:
     }
 
     /// A stop request needs the line. The request under way is not repeated. It is given up where it may be dropped before
-    /// it has left, as a repetition always is, and where it may be cut, unless its response has begun to arrive.
-    constexpr void make_way(bool may_cut, bool may_drop, instant now) noexcept
+    /// it has left, as a repetition always is, and where it may be cut, unless its response has begun to arrive. Returns
+    /// whether it is, and was not before.
+    constexpr bool make_way(bool may_cut, bool may_drop, instant now) noexcept
     {
         retries_.end_retries();
         bool const has_not_left = phase_ == phase::waiting or phase_ == phase::ready or phase_ == phase::pausing;
         // Between the lumps of a response its line may rest for longer than before a request: the frame is not over.
         bool const is_arriving = phase_ == phase::awaiting and (not is_quiet() or framer_.ends_by_silence(memory_));
-        if (has_not_left ? may_drop or not retries_.is_first() : may_cut and not is_arriving) {
-            cancel(now);
+        bool const gives_up = has_not_left ? may_drop or not retries_.is_first() : may_cut and not is_arriving;
+        if (not gives_up or not is_under_way(phase_) or error_ == errc::cancelled) {
+            return false;
         }
+        cancel(now);
+        return true;
     }
 
     /// Whether the request was given up and its asker was not told yet.
-    constexpr bool was_cut() const noexcept { return phase_ == phase::settled and error_ == errc::cancelled; }
+    constexpr bool is_given_up() const noexcept { return phase_ == phase::settled and error_ == errc::cancelled; }
 
     /// Whether a repetition of the request that ended was begun, and it was not given up.
     constexpr bool was_repeated() const noexcept { return not retries_.is_first() and error_ != errc::cancelled; }
