@@ -32,6 +32,10 @@ STATIC_CHECK(is_one<current, std::ratio<1>>(1_A) and is_one<current, std::milli>
 STATIC_CHECK(is_one<proportion, std::ratio<1>>(1_percent) and is_one<time_span, std::ratio<1>>(1_s));
 STATIC_CHECK(is_one<operating_time, std::ratio<1>>(1_h) and is_one<torque, std::ratio<1>>(1_Nm));
 STATIC_CHECK(is_one<power, std::ratio<1>>(1_W) and is_one<temperature, std::ratio<1>>(1_celsius));
+STATIC_CHECK(is_one<power, std::kilo>(1_kW) and is_one<absolute_temperature, std::ratio<1>>(1_K));
+STATIC_CHECK(is_one<apparent_power, std::ratio<1>>(1_VA) and is_one<reactive_power, std::ratio<1>>(1_var));
+STATIC_CHECK(is_one<electrical_energy, std::ratio<1>>(1_kWh) and is_one<electrical_energy, std::milli>(1_Wh));
+STATIC_CHECK(is_one<pressure, std::ratio<1>>(1_bar) and is_one<volume, std::ratio<1>>(1_m3));
 STATIC_CHECK(is_one<dimensionless, std::ratio<1>>(1_raw));
 
 // Each decimal digit is one, wherever it stands; an apostrophe only parts them.

@@ -27,10 +27,10 @@ inline constexpr parameter settings[]{
     {"CFG", 3052, cfg, in<count16>, {}, {}, {}, "Macro", &macro},
     row_of(d::tfr, speed_limit), row_of(d::hsp, speed_limit), row_of(d::lsp, speed_limit),
     row_of(d::acc, ramp), row_of(d::dec, ramp), row_of(d::inr, steps),
-    {"SP2", 11410, rw, in<count16>, 0, 5990, {}, "Speed 2", &speed},
-    {"SP3", 11411, guess, in<count16>, {}, {}, {}, "Speed 3", &speed},
-    {"SP4", 11412, rw, in<count16>, {}, {}, {}, "Speed 4", &speed},
-    {"SP6", 11414, rw, in<count16>, {}, {}, {}, "Speed 6", &speed},
+    {"SP2", 11410, rw, in<count16>, 0, 5990, {}, "Speed 2", &roles::speed},
+    {"SP3", 11411, guess, in<count16>, {}, {}, {}, "Speed 3", &roles::speed},
+    {"SP4", 11412, rw, in<count16>, {}, {}, {}, "Speed 4", &roles::speed},
+    {"SP6", 11414, rw, in<count16>, {}, {}, {}, "Speed 6", &roles::speed},
 };
 inline constexpr parameter others[]{
     {"NCV", 3011, cfg, in<count16>, {}, {}, {}, "Rating", &device_identity},
