@@ -47,15 +47,6 @@ enum class turn_result : std::uint8_t {
     passed, ///< it has no request now, its unit is held, or its request was refused
 };
 
-/// Keeps the earlier of two times at which `converse` is to be called again for a conversation. One that has come needs no
-/// note: this is that call.
-constexpr void keep_earlier(deadline& kept, deadline const& next, instant now) noexcept
-{
-    if (next and not reached(now, *next) and not(kept and reached(*next, *kept))) {
-        kept = next;
-    }
-}
-
 /// The turns on one line.
 class turns {
 public:

@@ -211,6 +211,14 @@ using deadline = std::optional<instant>;
 
 namespace detail {
 
+/// Keeps the earlier of two times. One that has come needs no note: who is called at it is called now.
+constexpr void keep_earlier(deadline& kept, deadline const& next, instant now) noexcept
+{
+    if (next and not reached(now, *next) and not(kept and reached(*next, *kept))) {
+        kept = next;
+    }
+}
+
 /// The earliest of several times, added one by one: the same as a `deadline`, without making one for each
 /// time. Always inlined, so that it stays in registers.
 class earliest {

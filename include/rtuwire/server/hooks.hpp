@@ -23,7 +23,7 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/banks.hpp>
-#include <rtuwire/server/request.hpp>
+#include <rtuwire/server/decoded_request.hpp>
 #include <rtuwire/table/form/form.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>

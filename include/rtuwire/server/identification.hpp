@@ -12,7 +12,7 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/request.hpp>
+#include <rtuwire/server/decoded_request.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/serial_line/device_identification.hpp>
 

@@ -15,8 +15,8 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/banks.hpp>
+#include <rtuwire/server/decoded_request.hpp>
 #include <rtuwire/server/identification.hpp>
-#include <rtuwire/server/request.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>

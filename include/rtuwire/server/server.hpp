@@ -31,7 +31,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/rtu/line.hpp>
-#include <rtuwire/server/request.hpp>
+#include <rtuwire/server/decoded_request.hpp>
 #include <rtuwire/server/respond.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/server/units.hpp>

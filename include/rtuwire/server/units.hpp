@@ -14,7 +14,7 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/banks.hpp>
-#include <rtuwire/server/request.hpp>
+#include <rtuwire/server/decoded_request.hpp>
 #include <rtuwire/server/respond.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/unit_id.hpp>

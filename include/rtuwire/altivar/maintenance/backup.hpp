@@ -71,7 +71,7 @@ public:
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
-        result<register_view> const words = words_read(outcome, walk_.block().count);
+        result<register_view> const words = words_in(outcome, walk_.block().count);
         if (words) {
             take(*words);
         } else if (is_of_registers(words.error())) {

@@ -134,7 +134,7 @@ private:
 };
 
 /// The words of so many registers that were asked for, or why there are none.
-[[nodiscard]] constexpr result<register_view> words_read(result<response> const& outcome, std::size_t count) noexcept
+[[nodiscard]] constexpr result<register_view> words_in(result<response> const& outcome, std::size_t count) noexcept
 {
     if (not outcome) {
         return outcome.error();

@@ -73,7 +73,7 @@ public:
     /// What came of it: the words that were read, or an error; for a procedure, which read one word or wrote one.
     [[nodiscard]] constexpr result<register_view> words_of(result<response> const& outcome) const noexcept
     {
-        return words_read(outcome, count_);
+        return words_in(outcome, count_);
     }
     [[nodiscard]] constexpr event event_of(result<response> const& outcome) const noexcept
     {
