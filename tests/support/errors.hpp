@@ -73,6 +73,7 @@ inline constexpr auto all_errors = [] {
         known_error{value_between_steps, 0xA5, kind::request},
         known_error{value_never_written, 0xA6, kind::request},
         known_error{value_without_meaning, 0xA7, kind::request},
+        known_error{never_advanced, 0xA8, kind::no_response},
     };
 }();
 

@@ -287,6 +287,9 @@ public:
     template <conversation Conversation>
     constexpr std::optional<errc> deliver(Conversation& conversation, bool wants_turn, instant now) noexcept
     {
+        if (detail::is_misuse_caught() and seen_ == instant{0}) {
+            transaction().end_never_advanced(now);
+        }
         std::optional<errc> told;
         if (turns().was_dropped(conversation, not is_busy())) {
             told = reason_of_drop(conversation);

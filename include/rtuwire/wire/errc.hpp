@@ -157,6 +157,10 @@ enum class errc : std::uint8_t {
     /// Remedy: Call `sent` when the last stop bit has left; on a host the driver or its flow control holds the
     /// bytes.
     transmit_stalled = 0x99,
+    /// The client's `advance` was never called, and without it no line counts as silent: nothing was sent. Found out where
+    /// RTUWIRE_CHECKED is 1, at a visit a response time-out behind the first one.
+    /// Remedy: Call `advance` in each pass, before `converse`.
+    never_advanced = 0xA8,
     /// The caller cancelled the transaction, or its conversation stayed away.
     /// Remedy: Nothing to mend, if it was meant; `converse` has to be called in each pass.
     cancelled = 0x9A,
@@ -266,6 +270,7 @@ enum class error_category : std::uint8_t {
     case errc::timed_out:
     case errc::bus_jam:
     case errc::transmit_stalled:
+    case errc::never_advanced:
     case errc::cancelled: return error_category::no_response;
 
     case errc::device_not_found:

@@ -58,6 +58,7 @@ inline namespace RTUWIRE_BUILD {
     case errc::timed_out: return "no response in time";
     case errc::bus_jam: return "the line never fell silent";
     case errc::transmit_stalled: return "the transmitter never finished";
+    case errc::never_advanced: return "nothing was sent: advance was never called";
     case errc::cancelled: return "cancelled";
     case errc::device_not_found: return "no such device";
     case errc::device_access_denied: return "no permission for the device";

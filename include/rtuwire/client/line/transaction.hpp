@@ -273,6 +273,14 @@ public:
         return true;
     }
 
+    /// Ends the request of a program that never calls `advance`, without which the line never falls silent, at its limit.
+    constexpr void end_never_advanced(instant now) noexcept
+    {
+        if (phase_ == phase::waiting and reached(now, deadline_)) {
+            settle(errc::never_advanced, now);
+        }
+    }
+
     /// Whether the request was given up and its asker was not told yet.
     constexpr bool is_given_up() const noexcept { return phase_ == phase::settled and error_ == errc::cancelled; }
 
