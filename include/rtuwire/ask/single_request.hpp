@@ -137,6 +137,7 @@ class single_request
     using base = detail::sized_request<Request::max_size + detail::adu_overhead, detail::largest_response<Request>>;
 
 public:
+    using request_type = Request;
     static constexpr function_set asks = detail::function_of<Request>;
 
     using base::base;

@@ -19,6 +19,7 @@
 #include <rtuwire/trace/observer.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
+#include <rtuwire/wire/serial_line_rules.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -148,11 +149,20 @@ template <auto const& Needs> struct told_by {
     }
 };
 
+/// Whether a list has this very request, not only one of its code.
+template <typename Request, typename... Functions>
+[[nodiscard]] consteval bool is_listed(function_list<Functions...>) noexcept
+{
+    return (std::is_same_v<Request, Functions> or ...);
+}
+
 /// Whether a list of functions has all that a conversation asks, as far as its type tells: a conversation may declare
 /// `static constexpr function_set asks{...}`.
 template <typename Functions, typename Conversation> [[nodiscard]] consteval bool has_what_it_asks() noexcept
 {
-    if constexpr (requires { Conversation::asks; }) {
+    if constexpr (requires { requires has_own_format<typename Conversation::request_type>; }) {
+        return is_listed<typename Conversation::request_type>(Functions{});
+    } else if constexpr (requires { Conversation::asks; }) {
         return Functions::codes.contains_all(Conversation::asks);
     }
     return true;

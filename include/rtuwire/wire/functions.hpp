@@ -26,7 +26,10 @@
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 
-/// Functions, each by the type of its request.
+/// Functions, each by the type of its request. A request may have a response of a format of its own, for units that use a code
+/// in their own way, public ones too: it then has `static constexpr std::size_t length_of_response(byte_view so_far)`, how many
+/// bytes the frame has from the unit to the CRC as soon as those so far tell, else 0; `check_response(request_pdu, response_pdu)`,
+/// whether it fits, in place of all that a client else compares but unit and function; and a `response` with `max_size`.
 template <typename... Functions> struct function_list {
     static constexpr function_set codes{detail::function_row<Functions>::code...};
 
@@ -54,6 +57,17 @@ using public_functions =
                   get_comm_event_log, write_multiple_coils<>, write_multiple_registers<>, report_server_id,
                   read_file_record<>, write_file_record<>, mask_write_register, read_write_multiple_registers<>,
                   read_fifo_queue, read_device_identification>;
+
+namespace detail {
+
+template <typename... Functions, typename... Own>
+function_list<Functions..., Own...> append(function_list<Functions...>, function_list<Own...>);
+
+} // namespace detail
+
+/// The same with requests of one's own, for `client_needs`: one of a public function but 43 takes its place.
+template <typename... Own>
+using public_functions_and = decltype(detail::append(public_functions{}, function_list<Own...>{}));
 
 /// Their codes.
 inline constexpr function_set all_functions = public_functions::codes;

@@ -146,6 +146,12 @@ template <typename... Functions>
     return size;
 }
 
+/// Whether a function that has a length of its own tells the size of its longest response.
+template <typename... Functions> [[nodiscard]] consteval bool tells_longest_by_own(function_list<Functions...>) noexcept
+{
+    return (has_own_format<Functions> or ...);
+}
+
 /// The size of the longest response to a request, an ADU; final where the response's bytes tell its end, so
 /// that no silence need follow. Where the request does not tell the size it is the largest possible.
 template <typename Functions = public_functions>
@@ -163,6 +169,9 @@ template <typename Functions = public_functions>
         tells_end = u16_at(request_adu, 2) != 0;
     } else if (kind == length_rule::own) {
         tells_end = tells_end_by_own(Functions{}, request_adu);
+        if constexpr (tells_longest_by_own(Functions{})) {
+            size = longest_by_own(Functions{}, code, request_adu);
+        }
     } else if (request_adu.size() >= 8) {
         constexpr std::size_t most = 250; // 125 registers, 2000 bits
         answer_rule const counts = answer_of<Functions>(code);

@@ -6,6 +6,7 @@
 // classes take the rows from here.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -37,6 +38,43 @@ template <typename Function> struct function_row_of {
     using type = Function;
 };
 template <typename Function> using function_row = typename function_row_of<Function>::type;
+
+/// A request whose response has a format of its own, whatever function it uses: see `function_list`.
+template <typename Request>
+concept has_own_format = requires(byte_view bytes)
+{
+    {
+        Request::length_of_response(bytes)
+        } -> std::same_as<std::size_t>;
+};
+
+/// The row of such a request.
+template <typename Request> struct own_row {
+    static_assert(has_response_check<Request>,
+                  "a request with length_of_response has a check_response, too: static errc "
+                  "(byte_view request_pdu, byte_view response_pdu)");
+    static constexpr function_code code = Request::code;
+    static constexpr frame_rules rules{sized(length_rule::none), sized(length_rule::own), answer_rule::own};
+    static constexpr std::size_t max_size = Request::max_size;
+
+    [[nodiscard]] static constexpr raw_length length(direction, byte_view adu) noexcept
+    {
+        std::size_t const size = Request::length_of_response(adu);
+        return size == 0 ? raw_length{adu.size() + 1, false} : raw_length{size, true};
+    }
+    [[nodiscard]] static constexpr bool tells_end(byte_view) noexcept { return true; }
+    [[nodiscard]] static constexpr std::size_t longest_response(byte_view) noexcept
+    {
+        return Request::response::max_size + adu_overhead;
+    }
+    [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
+    {
+        return Request::check_response(request_pdu, response_pdu);
+    }
+};
+template <has_own_format Request> struct function_row_of<Request> {
+    using type = own_row<Request>;
+};
 
 /// The code and the rules of a function.
 template <function_code Code, std::uint8_t Request, std::uint8_t Response, answer_rule Answers> struct plain_row {
