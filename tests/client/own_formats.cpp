@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Units that use a public function in a way of their own: frames of users' reports.
+// Units that use a public function in a way of their own, and units at reserved addresses: frames of users' reports.
 #include "defect/client_line.hpp"
 
 #include "support/catch.hpp"
@@ -180,4 +180,25 @@ TEST_CASE("W02: an exception and the other functions are as they were beside a f
     single_request short_one{unit_id{1}, read_input_registers{3, 1}};
     CHECK(outcome_of<basic_client<counted_by_words>>(short_one, framed({1, 4, 0, 2, 0, 7}), asked) ==
           errc::wrong_length);
+}
+
+TEST_CASE("W05, W06: a unit at a reserved address is asked by name")
+{
+    single_request words{unit_id::reserved(248), read_input_registers{0, 8}};
+    frame_bytes const w06 = bytes_of({0xF8, 0x04, 0x10, 0x04, 0x95, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
+                                      0x00, 0x02, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x8D, 0xC8});
+    REQUIRE(outcome_of<client>(words, w06, bytes_of({0xF8, 0x04, 0x00, 0x00, 0x00, 0x08, 0xE5, 0xA5})) == errc::none);
+    CHECK(words.outcome()->to<read_input_registers>()->registers[0] == 0x0495);
+
+    frame_bytes const w05 = bytes_of({0xF8, 0x41, 0x37, 0x21, 0xB7, 0x78});
+    single_request address{unit_id::reserved(248),
+                           raw_pdu{function_code{0x41}, std::array{std::byte{0x37}, std::byte{0x21}}}};
+    CHECK(outcome_of<client>(address, w05, w05) == errc::none);
+    // The response of another unit is none.
+    single_request other{unit_id::reserved(248), read_input_registers{0, 1}};
+    CHECK(outcome_of<client>(other, framed({7, 4, 2, 0, 7}), framed({0xF8, 4, 0, 0, 0, 1})) == errc::timed_out);
+    for (std::uint32_t const none : {0U, 1U, 247U, 256U, 504U}) {
+        CHECK(unit_id::checked_reserved(none).error() == errc::invalid_unit);
+    }
+    CHECK(unit_id::checked_reserved(255)->byte() == 255);
 }

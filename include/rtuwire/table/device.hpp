@@ -24,7 +24,7 @@
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 
-/// The unit addresses that a device can be set to.
+/// The unit addresses that a device can be set to, or answers to: of a reserved one, 248..255, see `unit_id::reserved`.
 struct unit_range {
     std::uint8_t first{1};
     std::uint8_t last{247};
@@ -144,10 +144,12 @@ public:
     /// A unit address known only at run time; `invalid_unit` outside the device's range.
     [[nodiscard]] static constexpr result<station> checked(std::uint32_t number) noexcept
     {
-        if (not Device::units.contains(number)) {
+        constexpr std::uint32_t highest_usual = 247;
+        auto const unit = number <= highest_usual ? unit_id::checked(number) : unit_id::checked_reserved(number);
+        if (not unit or not Device::units.contains(number)) {
             return errc::invalid_unit;
         }
-        return station{proven{}, *unit_id::checked(number)};
+        return station{proven{}, *unit};
     }
 
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }

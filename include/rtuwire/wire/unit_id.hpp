@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The address of a frame: a unit, 1..247, or broadcast (SL 2.2). A value of these types is always valid on
+// The address of a frame: a unit, 1..247, or broadcast (SL 2.2); by express permission a reserved one. A value of these types is always valid on
 // the wire, so that a function that takes one need not check it.
 #pragma once
 
@@ -17,6 +17,7 @@ inline namespace RTUWIRE_BUILD {
 
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void a_unit_address_is_1_to_247();
+void a_reserved_address_is_248_to_255();
 
 namespace detail {
 
@@ -41,9 +42,27 @@ private:
     std::uint8_t byte_;
 };
 
+/// The same of an address that SL 2.2 reserves.
+class reserved_number {
+public:
+    consteval reserved_number(int number) noexcept
+        RTUWIRE_REFUSES(a_reserved_address_is_248_to_255, not(number >= 248 and number <= 255))
+        : byte_{static_cast<std::uint8_t>(number)}
+    {
+        if (number < 248 or number > 255) {
+            a_reserved_address_is_248_to_255();
+        }
+    }
+
+    [[nodiscard]] constexpr std::uint8_t byte() const noexcept { return byte_; }
+
+private:
+    std::uint8_t byte_;
+};
+
 } // namespace detail
 
-/// The address of one unit, 1..247.
+/// The address of one unit, 1..247, or an express `reserved` one.
 class unit_id {
 public:
     /// A unit address known at compile time: unit_id{7}.
@@ -53,6 +72,23 @@ public:
     [[nodiscard]] static constexpr result<unit_id> checked(std::uint32_t number) noexcept
     {
         if (number < 1 or number > 247) {
+            return errc::invalid_unit;
+        }
+        return unit_id{from_wire{}, static_cast<std::uint8_t>(number)};
+    }
+
+    /// One of the addresses 248..255, which SL 2.2 reserves and some units answer to, most of them whatever their own is:
+    /// with two of them on a line both answer. Where 255 gave no response in time, no unit is asked for as long as a late one
+    /// may take. No drive of this library is asked so.
+    [[nodiscard]] static constexpr unit_id reserved(detail::reserved_number number) noexcept
+    {
+        return unit_id{from_wire{}, number.byte()};
+    }
+
+    /// A reserved address known only at run time; `errc::invalid_unit` outside 248..255.
+    [[nodiscard]] static constexpr result<unit_id> checked_reserved(std::uint32_t number) noexcept
+    {
+        if (number < 248 or number > 255) {
             return errc::invalid_unit;
         }
         return unit_id{from_wire{}, static_cast<std::uint8_t>(number)};

@@ -167,12 +167,17 @@ concept rows_have_their_roles = not has_all_parts<T> or not requires
 }
 or T::registers::address_without_role() == 0;
 
+/// Whether a device is asked by its own address: a reserved one reaches whatever hangs on the line.
+/// Internal.
+template <typename T>
+concept has_address_of_its_own = T::units.last <= 247;
+
 /// A device that is a drive. Where one is not, `drive_check` says in words what is missing.
 template <typename T>
 concept drive_type = has_all_parts<T> and has_control_word<T> and has_status_word<T> and has_last_fault<T> and
     has_extended_words<T> and has_output_frequency<T> and has_its_references<T> and has_its_safeguards<T> and
     has_its_scanner<T> and has_single_functions<T> and cycle_reads_the_state<T> and cycle_writes_an_order<T> and
-    cycle_is_contiguous<T> and cycle_fits_the_scanner<T> and cycle_fits_its_function<T>;
+    cycle_is_contiguous<T> and cycle_fits_the_scanner<T> and cycle_fits_its_function<T> and has_address_of_its_own<T>;
 
 /// Stops the compiler at a device that is no drive, with a sentence for what it lacks. Whatever drives a motor does so;
 /// a file that describes a drive ends best with `static_assert(drive_check<device>::passed)`.
@@ -207,7 +212,7 @@ template <typename T> struct drive_check {
     static_assert(cycle_fits_the_scanner<T>, "a cycle moves more words than the drive's scanner has");
     static_assert(cycle_fits_its_function<T>, "a cycle moves its words by function 23 or 16, which the drive has and "
                                               "whose limits they keep");
-
+    static_assert(has_address_of_its_own<T>, "a drive is asked at 1 to 247, never at a reserved address: `units`");
     static_assert(rows_have_their_roles<T>,
                   "a row at a register that commands the drive, tells its state or safeguards "
                   "it lacks the role of that, and would be restored as a setting: &commands, "
