@@ -3,6 +3,7 @@
 // Quantities: exact, and only from one unit to the same.
 #include <rtuwire/core/units.hpp>
 
+#include <limits>
 #include <type_traits>
 
 #include <rtuwire/core/time.hpp>
@@ -91,5 +92,16 @@ STATIC_CHECK(decihertz(65'535).count() == 65'535 and signed_decihertz(-32'768).c
 // Two types of one size hold the same numbers.
 STATIC_CHECK(quantity<frequency, long long>(5L).count() == 5);
 STATIC_CHECK(decihertz{500} == decihertz{500} and decihertz{499} < decihertz{500});
+
+// As a number: in the unit of its text, or in another one.
+STATIC_CHECK(decihertz{505}.as<double>() == 50.5 and signed_decihertz{-1}.as<double>() == -0.1);
+STATIC_CHECK(kilowatts{3}.as<double>() == 3'000.0 and kilowatts{3}.as<double, kilowatts>() == 3.0);
+STATIC_CHECK(watts{250}.as<float, kilowatts>() == 0.25F and watt_hours{1'500}.as<double>() == 1.5);
+STATIC_CHECK((1.25_s).as<double, units::milliseconds>() == 1'250.0 and hectohertz{40}.as<double>() == 4'000.0);
+// Out of range is no number that only looks right.
+constexpr quantity<power, std::int64_t> above{std::numeric_limits<std::int64_t>::max()};
+STATIC_CHECK(above.as<double>() == std::numeric_limits<double>::infinity());
+STATIC_CHECK(quantity<power, std::int64_t>{std::numeric_limits<std::int64_t>::min()}.as<double>() ==
+             -std::numeric_limits<double>::infinity());
 
 } // namespace

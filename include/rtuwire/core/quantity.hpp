@@ -200,6 +200,25 @@ public:
     /// How many steps of `Scale` this is.
     [[nodiscard]] constexpr Rep count() const noexcept { return count_; }
 
+    /// The amount as a floating point number, in the unit that `text_of` shows, or in that of a quantity: 50.5 for
+    /// `decihertz{505}.as<double>()`, 0.0505 for `.as<double, quantity<frequency, std::uint16_t, std::kilo>>()`. One that is
+    /// out of range is infinite.
+    template <std::floating_point Number, typename Unit = quantity<Dimension, Rep>>
+    [[nodiscard]] constexpr Number as() const noexcept
+    {
+        static_assert(std::same_as<typename Unit::dimension, Dimension>,
+                      "these two measure different things: name a unit of the same");
+        using factor = std::ratio_divide<scale, typename Unit::scale>;
+        using limits = std::numeric_limits<Rep>;
+        if constexpr (sizeof(Rep) == sizeof(std::int64_t)) { // whose ends are out of range
+            constexpr Number infinity = std::numeric_limits<Number>::infinity();
+            if (count_ == (limits::max)() or count_ == (limits::min)()) {
+                return count_ < 0 ? -infinity : infinity;
+            }
+        }
+        return static_cast<Number>(count_) * static_cast<Number>(factor::num) / static_cast<Number>(factor::den);
+    }
+
     friend constexpr bool operator==(quantity, quantity) noexcept = default;
     friend constexpr auto operator<=>(quantity, quantity) noexcept = default;
 

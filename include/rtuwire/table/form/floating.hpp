@@ -94,6 +94,16 @@ public:
 
     [[nodiscard]] constexpr Float count() const noexcept { return count_; }
 
+    /// In the unit that `text_of` shows, or in that of a quantity: see `quantity`.
+    template <std::floating_point Number, typename Other = quantity<dimension, std::uint16_t>>
+    [[nodiscard]] constexpr Number as() const noexcept
+    {
+        static_assert(std::same_as<typename Other::dimension, dimension>,
+                      "these two measure different things: name a unit of the same");
+        using factor = std::ratio_divide<scale, typename Other::scale>;
+        return static_cast<Number>(count_) * static_cast<Number>(factor::num) / static_cast<Number>(factor::den);
+    }
+
     /// The nearest whole number of steps of a quantity, halves away from zero. `value_too_high`, `value_too_low` where
     /// the quantity cannot hold it, `value_without_meaning` where it is not a number.
     template <detail::any_quantity Target> [[nodiscard]] constexpr result<Target> rounded_to() const noexcept

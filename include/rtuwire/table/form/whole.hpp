@@ -149,6 +149,18 @@ public:
     [[nodiscard]] constexpr typename Unit::rep count() const noexcept { return count_; }
     [[nodiscard]] constexpr int exponent() const noexcept { return exponent_; }
 
+    /// As a floating point number, in the unit that `text_of` shows, or in that of a quantity: see `quantity`.
+    template <std::floating_point Number, typename Other = quantity<dimension, std::uint16_t>>
+    [[nodiscard]] constexpr Number as() const noexcept
+    {
+        Number const one = Unit{count_}.template as<Number, Other>();
+        Number factor = 1;
+        for (int i = 0; i < (exponent_ < 0 ? -exponent_ : exponent_); ++i) {
+            factor *= 10;
+        }
+        return exponent_ < 0 ? one / factor : one * factor;
+    }
+
     /// The nearest whole number of steps of a quantity, halves away from zero; `value_too_high` or `value_too_low` where
     /// it cannot hold them.
     template <detail::any_quantity Target> [[nodiscard]] constexpr result<Target> rounded_to() const noexcept
