@@ -36,6 +36,20 @@ template <typename Link> std::uint32_t wait_for_nobody(Link const& link)
     return length;
 }
 
+//! [counts]
+using counting = host_client::observed_by<unit_statistics<30>>;
+
+void tell(counting const& link)
+{
+    counters const& all = link.statistics().line();
+    std::cout << all[line_event::request] << " requests, " << all[line_event::crc]
+              << " damaged responses, the slowest after " << all.worst_latency.microseconds << " us\n";
+    if (counters const* const unit = link.statistics().unit(3)) { // null where it was never asked
+        std::cout << unit->by_exception[2] << " refused by unit 3 as exception 02\n";
+    }
+}
+//! [counts]
+
 } // namespace
 
 int main()
@@ -58,6 +72,19 @@ int main()
     line_timing const slow = timing.with_silence(milliseconds(1'000)); // of all units: blocking_client{port, slow}
     //! [pause]
     if (slow.silence() != milliseconds(1'000) or slow.frame_end() != timing.frame_end()) {
+        return 1;
+    }
+
+    word_bank<4> registers{0};
+    sim::bench bench{counting{timing}, bank_at{unit_id{3}, registers}};
+    bool const is_read =
+        bench.run(single_request{unit_id{3}, read_holding_registers{.start = 0, .count = 1}}).has_value();
+    bool const is_refused =
+        not bench.run(single_request{unit_id{3}, read_holding_registers{.start = 9, .count = 1}}).has_value();
+    tell(bench.link());
+    counters const* const of_unit = bench.link().statistics().unit(3);
+    if (not is_read or not is_refused or of_unit == nullptr or (*of_unit)[line_event::request] != 2 or
+        of_unit->by_exception[2] != 1) {
         return 1;
     }
 

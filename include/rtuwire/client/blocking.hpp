@@ -109,6 +109,10 @@ template <detail::serial_port Port, auto const& Needs = host_needs> class blocki
     using engine = basic_client<Needs>;
 
 public:
+    /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on; the same that counts.
+    template <typename Sink> using traced_by = blocking_client<Port, detail::traced_needs<Needs, Sink>>;
+    template <typename Counts> using observed_by = blocking_client<Port, detail::observed_needs<Needs, Counts>>;
+
     blocking_client(Port& its_port, line_timing const& its_line, client_options const& its_options = {}) noexcept
         requires(not detail::told_by<Needs>::is_fixed)
         : port_{its_port}, client_{its_line, its_options}, write_limit_{time_to_write(its_line, its_options)}
@@ -155,6 +159,11 @@ public:
 
     /// What was counted, where counting was asked for.
     [[nodiscard]] auto const& statistics() const noexcept { return client_.statistics(); }
+
+    /// Hands the frames that pass from here on to a sink, which must outlive this client. For a client `traced_by` it.
+    template <typename Sink>
+        requires detail::is_traced_by<typename detail::told_by<Needs>::observer, Sink>
+    void trace_to(Sink& frames) noexcept { client_.trace_to(frames); }
 
     /// Whether the line has given back what was sent: see the client's.
     [[nodiscard]] bool has_seen_echo() const noexcept { return client_.has_seen_echo(); }

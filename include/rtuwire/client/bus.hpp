@@ -78,6 +78,8 @@ template <std::size_t Slots, auto const& Needs = usual_needs> class bus {
 public:
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on.
     template <typename Sink> using traced_by = bus<Slots, detail::traced_needs<Needs, Sink>>;
+    /// The same that counts: `bus<30>::observed_by<unit_statistics<30>>`.
+    template <typename Counts> using observed_by = bus<Slots, detail::observed_needs<Needs, Counts>>;
 
     explicit constexpr bus(line_timing const& its_line, client_options const& its_options = {},
                            bus_options const& share = {}) noexcept requires(not needed::is_fixed)

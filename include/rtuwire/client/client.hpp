@@ -61,6 +61,8 @@ public:
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
     /// `client::traced_by<trace_ring<4096>>`.
     template <typename Sink> using traced_by = basic_client<detail::traced_needs<Needs, Sink>>;
+    /// The same that counts: `drive_client<3>::observed_by<unit_statistics<3>>`.
+    template <typename Counts> using observed_by = basic_client<detail::observed_needs<Needs, Counts>>;
 
     explicit constexpr basic_client(line_timing const& its_timing, client_options const& its_options = {}) noexcept
         requires(not needed::is_fixed)

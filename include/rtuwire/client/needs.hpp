@@ -100,7 +100,8 @@ template <typename Functions = public_functions, typename Observer = detail::no_
 /// A client of all functions whose line is given to its constructor.
 inline constexpr client_needs<> usual_needs{};
 
-/// The same that counts, or whatever else `Observer` does: `basic_client<observed_by<line_statistics>>`.
+/// The same that counts, or whatever else `Observer` does: `basic_client<observed_by<line_statistics>>`; of any other client
+/// its own `observed_by`: `blocking_client<posix_serial>::observed_by<line_statistics>`.
 template <typename Observer> inline constexpr client_needs<public_functions, Observer> observed_by{};
 
 /// Those of a program where memory does not matter: requests and responses of every size, and 32 motors.
@@ -179,6 +180,10 @@ template <auto const& Needs, typename Conversation> [[nodiscard]] consteval bool
     }
     return true;
 }
+
+/// The same needs, with another observer.
+template <auto const& Needs, typename Observer>
+inline constexpr auto observed_needs = told_by<Needs>::template with<Observer>(Needs.quarantine_places, Needs.motors);
 
 /// The same needs, with a sink that takes the frames.
 template <auto const& Needs, typename Sink>

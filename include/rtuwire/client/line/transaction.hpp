@@ -37,6 +37,7 @@ namespace detail {
 /// A frame that was refused as the response to a request.
 struct refused_frame {
     byte_view bytes;
+    byte_view asked; ///< the request
     std::size_t due; ///< how many bytes it should have had; 0 where neither the request nor the frame gives that
 };
 
@@ -202,7 +203,7 @@ public:
             judged() != error_) {
             return std::nullopt;
         }
-        return refused_frame{framer_.bytes(memory_), due_size<Functions>(request(), framer_.bytes(memory_))};
+        return refused_frame{framer_.bytes(memory_), request(), due_size<Functions>(request(), framer_.bytes(memory_))};
     }
 
     constexpr void keep_away(unit_id unit, instant end) noexcept { quarantine_.begin(unit.byte(), end); }
