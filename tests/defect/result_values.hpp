@@ -10,7 +10,6 @@
 
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/errc_name.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 using namespace rtuwire;
@@ -44,8 +43,8 @@ static void values_are_checked()
     end const refused = end_of([&] { unit(248); });
     CHECK(refused.is_trap);
     CHECK(refused.left == static_cast<int>(errc::invalid_unit));
-    CHECK(refused.said == "rtuwire: the program ends: it read a value that is not there, unit address outside 1..247, "
-                          "errc 0x81: look at has_value() or size() first\n");
+    CHECK(refused.said == "rtuwire: the program ends: it read a value that is not there (errc 0x81, see "
+                          "rtuwire/wire/errc.hpp): look at has_value() or size() first\n");
 
     auto const pair = [](errc error) {
         return told(0) + static_cast<std::uint32_t>(error) == 0 ? result<pair_of_words>{pair_of_words{1, 2}}

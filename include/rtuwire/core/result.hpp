@@ -43,41 +43,35 @@ enum class errc : std::uint8_t;
 ///
 ///     void rtuwire::on_missing_value(rtuwire::errc) noexcept { board::motor_off(); }
 ///
-/// A program without it only traps. Either says why on its standard error before, where there is a system. All builds of
-/// rtuwire in one program share the hook, so that each calls it.
+/// A program without it only traps. Either says why on its standard error before, on a POSIX system with ELF. All builds
+/// of rtuwire in one program share the hook, so that each calls it.
 [[gnu::weak]] void on_missing_value(errc why) noexcept __asm__("rtuwire_on_missing_value");
 
 namespace detail {
 
-#if RTUWIRE_HAS_SYSTEM
+#if RTUWIRE_HAS_SYSTEM && defined(__ELF__)
 
 /// POSIX's `write`, by a name that its header does not know; null where there is none.
 extern "C" [[gnu::weak]] long rtuwire_posix_write(int, void const*, std::size_t) __asm__("write");
 
-/// Says why the program ends; in words where wire/errc_name.hpp is known, as behind every door. A template, so that it is
-/// looked for at the end of the file.
-template <typename Error> void tell_missing_value(Error why) noexcept
+/// Says on the standard error why the program ends.
+inline void tell_missing_value(errc why) noexcept
 {
-    if (rtuwire_posix_write == nullptr) {
-        return;
-    }
-    auto const tell = [](char const* text, std::size_t size) {
-        constexpr int standard_error = 2;
-        static_cast<void>(rtuwire_posix_write(standard_error, text, size));
-    };
-    auto const tell_literal = [&]<std::size_t Size>(char const(&text)[Size]) { tell(text, Size - 1); };
-    tell_literal("rtuwire: the program ends: it read a value that is not there, ");
-    if constexpr (requires { name(why).data(); }) {
-        tell(name(why).data(), name(why).size());
-        tell_literal(", ");
-    }
+    constexpr int standard_error = 2;
+    char text[]{"rtuwire: the program ends: it read a value that is not there (errc 0x00, see rtuwire/wire/errc.hpp): "
+                "look at has_value() or size() first\n"};
     constexpr char const* digits = "0123456789ABCDEF";
-    auto const code = static_cast<unsigned>(why);
-    char const number[]{digits[code >> 4U & 0xFU], digits[code & 0xFU]};
-    tell_literal("errc 0x");
-    tell(number, sizeof number);
-    tell_literal(": look at has_value() or size() first\n");
+    constexpr std::size_t place = 69; // of the two digits
+    text[place] = digits[static_cast<unsigned>(why) >> 4U & 0xFU];
+    text[place + 1] = digits[static_cast<unsigned>(why) & 0xFU];
+    if (rtuwire_posix_write != nullptr) {
+        static_cast<void>(rtuwire_posix_write(standard_error, text, sizeof text - 1));
+    }
 }
+
+#else
+
+inline void tell_missing_value(errc) noexcept {}
 
 #endif
 
@@ -90,9 +84,7 @@ template <typename Error> void tell_missing_value(Error why) noexcept
     if (on_missing_value != nullptr) {
         on_missing_value(why);
     }
-#if RTUWIRE_HAS_SYSTEM
     detail::tell_missing_value(why);
-#endif
     __builtin_trap();
 }
 [[noreturn]] inline void a_failed_result_has_an_error() noexcept { a_failed_result_has_no_value(errc{}); }
