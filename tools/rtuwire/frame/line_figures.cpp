@@ -55,6 +55,8 @@ void line_figures::take(tapped_frame const& it)
     unit_figures& unit = units_[heard.unit()];
     if (heard.frame.verdict == frame_verdict::damaged) {
         ++unit.damaged;
+    } else if (heard.frame.verdict == frame_verdict::stray) {
+        stray_bytes_ += size; // a response to nothing that was asked
     } else if (heard.frame.role == frame_role::request) {
         ++unit.requests;
     } else if (heard.frame.role == frame_role::response) {
