@@ -62,4 +62,15 @@ constexpr bool damage_after_silence()
 }
 PROOF("damage is of a new frame where it comes a byte behind the silence that ended the last", damage_after_silence)
 
+constexpr bool believes_what_is_sent()
+{
+    framer<direction::response> receiver{line};
+    receiver.note_activity(start);
+    instant const before = start - (line.characters(max_adu_size) + milliseconds(100));
+    instant const long_after = before - microseconds(1); // the clock has gone round
+    return receiver.within_reach_of_line(before) == before and
+           receiver.within_reach_of_line(long_after) == before + duration{0x8000'0000U};
+}
+PROOF("a frame that is sent may end 256 characters and 100 ms ahead of the clock", believes_what_is_sent)
+
 } // namespace

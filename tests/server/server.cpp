@@ -15,6 +15,9 @@ namespace {
 constexpr auto line = test::usual_line;
 using unit_1 = test::server_on_a_line<>;
 
+// Its memory has a frame, and no room in front of it, where a client keeps its request.
+STATIC_CHECK(sizeof(server) <= sizeof(detail::line_memory<detail::stored<line_timing>, max_adu_size>) + 32);
+
 constexpr auto write_3 = "01 06 00 01 00 03 98 0B"_hex;
 constexpr auto read_1 = "01 03 00 01 00 01 D5 CA"_hex;
 
