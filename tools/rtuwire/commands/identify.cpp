@@ -3,6 +3,7 @@
 // Says who a unit is.
 #include "commands/commands.hpp"
 #include "line/line_words.hpp"
+#include "line/shared_address.hpp"
 #include "line/who_is_it.hpp"
 
 namespace tool {
@@ -12,16 +13,17 @@ exit_status run_identify(choices const& chosen)
     open_line line{chosen.line};
     named_unit const asked = unit_in(chosen.line);
     identity_words const who = who_is_it(line, asked.unit);
+    std::string const shared = who.outcome == exit_status::no_answer ? std::string{} : why_shared(line, asked.unit);
     output results{chosen.form, false};
     results.put({{"unit", std::int64_t{asked.unit.byte()}},
                  {"vendor", who.vendor},
                  {"product", who.product},
                  {"revision", who.revision},
                  {"drive", who.drive},
-                 {"note", who.note}});
+                 {"note", who.note + (who.note.empty() or shared.empty() ? "" : "; ") + shared}});
     results.finish();
     bool const is_known = not who.product.empty() or not who.drive.empty();
-    return is_known ? exit_status::done : who.outcome;
+    return not shared.empty() ? exit_status::differs : is_known ? exit_status::done : who.outcome;
 }
 
 } // namespace tool

@@ -12,6 +12,7 @@
 #include "line/line_words.hpp"
 #include "line/open_line.hpp"
 #include "line/scan_log.hpp"
+#include "line/shared_address.hpp"
 #include "line/who_is_it.hpp"
 #include "output/plain_text.hpp"
 #include "output/progress.hpp"
@@ -124,14 +125,22 @@ private:
         if (has_echo_) { // of the line, and of no unit: every address would show it
             show(record_of(how, unit, {.note = line.words_of_failure(outcome)}));
         } else if (is_there) {
-            identity_words const who = who_is_it(line, unit);
+            identity_words who = who_is_it(line, unit);
+            who.note = with_shared(line, unit, who.note);
             note(how, unit, who);
             leave(line, how, unit, who.drive);
         } else if (not is_silent) {
-            note(how, unit, {.note = line.words_of_failure(outcome)});
+            note(how, unit, {.note = with_shared(line, unit, line.words_of_failure(outcome))});
         } else {
             log_.note_silent(how, unit.byte());
         }
+    }
+
+    /// A note, with what is wrong where several units have an address.
+    static std::string with_shared(open_line& line, rtuwire::unit_id unit, std::string const& note)
+    {
+        std::string const shared = why_shared(line, unit);
+        return note + (note.empty() or shared.empty() ? "" : "; ") + shared;
     }
 
     /// What to look at where nobody answered.
