@@ -3,6 +3,7 @@
 // What the command line and the configuration file say; words are not looked at here.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -89,6 +90,7 @@ struct choices {
     bool is_factory{false};  ///< compares with the factory values
     bool may_rewrite{false}; ///< a register as it was read, with some bits changed
     std::string file{};
+    std::optional<std::uint16_t> base{}; ///< where the registers of a file begin that counts from there
     std::string capture_form{"udp"};
     std::optional<double> every{}; ///< seconds; nothing: as the command thinks best
     std::optional<double> last{};  ///< seconds; nothing: until somebody ends the program

@@ -2,58 +2,16 @@
 // SPDX-License-Identifier: BSL-1.0
 // The parser tells what it meets one after the other, and how far it has read: so each text has its place, and a key that
 // stands twice is seen.
-#include <iterator>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "backup/saved_text.hpp"
+#include "files/counting_iterator.hpp"
 
 namespace tool {
 
 namespace {
-
-/// Walks over a text, and says how far somebody has come.
-class counting_iterator {
-public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = char;
-    using difference_type = std::ptrdiff_t;
-    using pointer = char const*;
-    using reference = char const&;
-
-    counting_iterator(char const* at, char const** farthest) : at_{at}, farthest_{farthest} {}
-
-    reference operator*() const { return *at_; }
-    counting_iterator& operator++()
-    {
-        *farthest_ = ++at_;
-        return *this;
-    }
-    counting_iterator operator++(int)
-    {
-        counting_iterator const before = *this;
-        ++*this;
-        return before;
-    }
-    friend bool operator==(counting_iterator const& left, counting_iterator const& right)
-    {
-        return left.at_ == right.at_;
-    }
-    friend bool operator!=(counting_iterator const& left, counting_iterator const& right) { return not(left == right); }
-
-private:
-    char const* at_;
-    char const** farthest_;
-};
-
-/// The text behind the numbers and places that the parser puts before it.
-std::string reason_in(std::string const& what)
-{
-    std::size_t const column = what.find("column ");
-    std::size_t const colon = what.find(": ", column == std::string::npos ? 0 : column);
-    return colon == std::string::npos ? what : what.substr(colon + 2);
-}
 
 class row_reader : public nlohmann::json_sax<nlohmann::ordered_json> {
 public:
@@ -109,7 +67,7 @@ public:
     }
     bool parse_error(std::size_t, std::string const&, nlohmann::detail::exception const& why) override
     {
-        return refuse("this is no JSON: " + reason_in(why.what()));
+        return refuse("this is no JSON: " + json_reason(why.what()));
     }
 
 private:

@@ -4,22 +4,15 @@
 // A file of parameters as it is written: names and texts with their places, before anybody looks at what they mean.
 #pragma once
 
-#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "files/text_place.hpp"
+
 namespace tool {
-
-/// Where a text stands; line 0 is the file as a whole.
-struct text_place {
-    std::size_t line{0};
-    std::size_t column{0}; ///< in bytes, the first is 1
-
-    friend bool operator==(text_place const&, text_place const&) = default;
-};
 
 struct placed_text {
     std::string text;
@@ -53,19 +46,6 @@ struct saved_text {
     saved_fields head; ///< "drive", "time"
     std::vector<saved_row> rows;
     std::optional<file_fault> fault;
-};
-
-/// Tells the places of bytes of a text, fast where each is behind the one before.
-class place_counter {
-public:
-    explicit place_counter(std::string_view text) noexcept : text_{text} {}
-
-    [[nodiscard]] text_place of(std::size_t byte) noexcept;
-
-private:
-    std::string_view text_;
-    std::size_t at_{0};
-    text_place place_{1, 1};
 };
 
 /// Reads a backup in JSON: an object with texts and numbers, and "parameters", an array of objects with texts and

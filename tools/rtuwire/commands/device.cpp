@@ -1,12 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Checks register files: no line is needed.
+// Checks register files, and makes them of other programs': no line is needed.
 #include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstdio>
+#include <cstring>
 #include <string>
 
 #include "commands/commands.hpp"
 #include "device/register_file.hpp"
+#include "files/regular_file.hpp"
+#include "files/whole_file.hpp"
+#include "import/import.hpp"
+#include "output/plain_text.hpp"
 #include "words/named_value.hpp"
 
 namespace tool {
@@ -46,13 +53,8 @@ record row_of(named_place const& each)
             {"note", notes_of(each)}};
 }
 
-} // namespace
-
-exit_status run_device(choices const& chosen)
+exit_status check_files(choices const& chosen)
 {
-    if (chosen.words.front() != "check" or chosen.words.size() < 2) {
-        refuse_word("device checks register files: device check FILE");
-    }
     output results{chosen.form, false};
     for (std::size_t i = 1; i < chosen.words.size(); ++i) {
         for (named_place const& each : register_file_at(chosen.words[i]).places) {
@@ -61,6 +63,74 @@ exit_status run_device(choices const& chosen)
     }
     results.finish();
     return exit_status::done;
+}
+
+/// To the file of --output, which is no file yet, or to the standard output.
+void put_text(std::string const& text, std::string const& file)
+{
+    if (not file.empty()) {
+        if (std::string const why = write_new_file(file, text); not why.empty()) {
+            throw ended{exit_status::port, file + ": " + why};
+        }
+        return;
+    }
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() or std::fflush(stdout) != 0) {
+        throw ended{exit_status::port, "standard output: " + std::string{std::strerror(errno)}};
+    }
+}
+
+/// Tells what was lost, and puts the rest.
+exit_status put_file(choices const& chosen, register_file_writer const& written)
+{
+    for (std::string const& each : written.told()) {
+        tell_error(each);
+    }
+    if (written.registers() == 0) {
+        refuse_word(written.file() + ": it has no register that can be carried over");
+    }
+    std::string const text = written.text();
+    static_cast<void>(read_register_file(written.file() + ", as it would be written", text));
+    put_text(text, chosen.file);
+    if (written.lost() == 0) {
+        return exit_status::done;
+    }
+    tell_error(written.file() + ": " + std::to_string(written.registers()) + " registers; " +
+               std::to_string(written.lost()) + " times something was not carried over");
+    return exit_status::differs;
+}
+
+exit_status import_one(choices const& chosen)
+{
+    if (chosen.words.size() != 2) {
+        refuse_word("one file is imported: device import FILE");
+    }
+    std::string const& file = chosen.words[1];
+    file_text const found = text_of_file(file);
+    if (not found.failure.empty()) {
+        refuse_word(file + ": " + found.failure);
+    }
+    import_choices how{.base = chosen.base};
+    if (chosen.line.is_unit_named) {
+        how.unit = word_number(chosen.line.unit);
+        if (not how.unit) {
+            refuse_word("-u: one number, whose registers a file of several units is to have");
+        }
+    }
+    return put_file(chosen, import_file(file, found.text, how));
+}
+
+} // namespace
+
+exit_status run_device(choices const& chosen)
+{
+    std::string const& what = chosen.words.front();
+    if (what == "check" and chosen.words.size() > 1) {
+        return check_files(chosen);
+    }
+    if (what == "import") {
+        return import_one(chosen);
+    }
+    refuse_word("device knows register files: device check FILE, device import FILE");
 }
 
 } // namespace tool

@@ -26,8 +26,6 @@ namespace tool {
 
 namespace {
 
-constexpr std::size_t most_registers = 2'000;
-
 class file_reader {
 public:
     explicit file_reader(std::string const& file) : file_{file} { found_.file = file; }

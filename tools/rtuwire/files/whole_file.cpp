@@ -58,6 +58,14 @@ public:
         return true;
     }
 
+    /// Under a name that nothing has.
+    bool take_place_at(std::string const& path)
+    {
+        mode_t const mask = ::umask(0);
+        ::umask(mask);
+        return ::fchmod(descriptor_, 0666U & ~mask) == 0 and ::link(name_.c_str(), path.c_str()) == 0;
+    }
+
 private:
     std::string name_;
     int descriptor_;
@@ -73,6 +81,13 @@ std::string write_whole_file(std::string const& path, std::string_view text)
     file_beside file{path};
     bool const is_written = file.is_open() and file.write(text) and file.take_place_of(path);
     return is_written ? std::string{} : std::strerror(errno);
+}
+
+std::string write_new_file(std::string const& path, std::string_view text)
+{
+    file_beside file{path};
+    bool const is_written = file.is_open() and file.write(text) and file.take_place_at(path);
+    return is_written ? std::string{} : errno == EEXIST ? "is there already" : std::strerror(errno);
 }
 
 } // namespace tool

@@ -12,4 +12,7 @@ namespace tool {
 /// written. A device, a pipe or a folder of that name is refused.
 std::string write_whole_file(std::string const& path, std::string_view text);
 
+/// The same for a file that is not there yet.
+std::string write_new_file(std::string const& path, std::string_view text);
+
 } // namespace tool

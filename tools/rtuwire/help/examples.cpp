@@ -34,7 +34,7 @@ constexpr std::pair<std::string_view, std::string_view> examples[] = {
     {"decode", "rtuwire decode 07 03 0C 82 00 01 27 14"},
     {"simulate", "rtuwire simulate atv320:7 atv12:3"},
     {"ports", "rtuwire ports"},
-    {"device", "rtuwire device check meter.toml"},
+    {"device", "rtuwire device import config-sdm120.json -o sdm120.toml; rtuwire device check sdm120.toml"},
     {"completion", "rtuwire completion bash > ~/.local/share/bash-completion/completions/rtuwire"},
     {"man", "rtuwire man > ~/.local/share/man/man1/rtuwire.1"},
 };

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "import/forms.hpp"
+
+#include <algorithm>
+
+#include "exit_status.hpp"
+
+namespace tool {
+
+void refuse_base(register_file_writer const& into, std::optional<std::int64_t> base)
+{
+    if (base) {
+        refuse_word(into.file() + ": its addresses are those of the device, and have no --base");
+    }
+}
+
+void lose_other_fields(register_file_writer& into, source_value const& from, std::string_view name,
+                       std::span<std::string_view const> taken)
+{
+    for (auto const& [key, value] : from.fields) {
+        if (value.kind == source_kind::none or std::ranges::count(taken, key) != 0) {
+            continue;
+        }
+        std::string const what = value.tag.empty() ? "" : " (" + value.tag + ')';
+        std::string const said =
+            value.is_plain() and value.text.size() < 60 and value.text.find('\n') == value.text.npos
+                ? " = " + value.text
+                : std::string{};
+        into.lose(value.place, std::string{name} + ": " + key + said + what + " is not carried over");
+    }
+}
+
+std::optional<std::int64_t> whole_field(register_file_writer& into, source_value const& from, std::string_view key)
+{
+    source_value const* const value = from.find(key);
+    auto const number = value == nullptr ? std::nullopt : value->whole_number();
+    if (value != nullptr and not number) {
+        into.lose(value->place,
+                  std::string{key} + " is no whole number: " + (value->tag.empty() ? value->text : value->tag));
+    }
+    return number;
+}
+
+std::optional<double> number_field(register_file_writer& into, source_value const& from, std::string_view key)
+{
+    source_value const* const value = from.find(key);
+    auto const number = value == nullptr ? std::nullopt : value->number();
+    if (value != nullptr and not number) {
+        into.lose(value->place, std::string{key} + " is no number: " + (value->tag.empty() ? value->text : value->tag));
+    }
+    return number;
+}
+
+std::uint64_t bits_of_number(std::int64_t number, unsigned width) noexcept
+{
+    auto const bits = static_cast<std::uint64_t>(number);
+    return width >= 64 ? bits : bits & ((std::uint64_t{1} << width) - 1);
+}
+
+} // namespace tool
