@@ -275,13 +275,14 @@ void add_line_tools(CLI::App& app, choices& chosen)
 
 void add_device(CLI::App& app, choices& chosen)
 {
-    CLI::App& device = add_command(app, chosen, "device", "register files: device check FILE; device import FILE");
-    add_operands(device, chosen, "FILE", "check, then one or more files; or import, then a file of another program",
-                 true);
-    device.add_option("-o,--output", chosen.file, "import: a new file; without it standard output");
-    device.add_option(
-        "--base", chosen.base,
-        "import: the address where the registers of a SunSpec model begin, or those of a module behind a coupler");
+    CLI::App& device = add_command(app, chosen, "device",
+                                   "register files: device check FILE; device import FILE; device export DRIVE");
+    add_operands(device, chosen, "FILE",
+                 "check, then one or more files; import, then a file of another program; export, then a drive", true);
+    device.add_option("-o,--output", chosen.file, "import, export: a new file; without it standard output");
+    device.add_option("--base", chosen.base,
+                      "import: the address where the registers of a SunSpec model begin, or those "
+                      "of a module behind a coupler");
     add_to_footer(device, register_file_text());
 }
 

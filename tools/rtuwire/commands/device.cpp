@@ -9,10 +9,12 @@
 #include <string>
 
 #include "commands/commands.hpp"
+#include "device/drive_export.hpp"
 #include "device/register_file.hpp"
 #include "files/regular_file.hpp"
 #include "files/whole_file.hpp"
 #include "import/import.hpp"
+#include "line/who_is_it.hpp"
 #include "output/plain_text.hpp"
 #include "words/named_value.hpp"
 
@@ -119,6 +121,16 @@ exit_status import_one(choices const& chosen)
     return put_file(chosen, import_file(file, found.text, how));
 }
 
+exit_status export_one(choices const& chosen)
+{
+    if (chosen.words.size() != 2) {
+        refuse_word("one drive is exported: device export atv320");
+    }
+    register_file_writer writer{chosen.words[1], std::nullopt};
+    export_drive(catalog_chosen(chosen.words[1]), writer);
+    return put_file(chosen, writer);
+}
+
 } // namespace
 
 exit_status run_device(choices const& chosen)
@@ -130,7 +142,10 @@ exit_status run_device(choices const& chosen)
     if (what == "import") {
         return import_one(chosen);
     }
-    refuse_word("device knows register files: device check FILE, device import FILE");
+    if (what == "export") {
+        return export_one(chosen);
+    }
+    refuse_word("device knows register files: device check FILE, device import FILE, device export DRIVE");
 }
 
 } // namespace tool
