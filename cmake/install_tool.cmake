@@ -32,3 +32,4 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/texts/rtuwire"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT rtuwire_tool OPTIONAL)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/texts/zsh/_rtuwire"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" COMPONENT rtuwire_tool OPTIONAL)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/tools/devices" DESTINATION "${CMAKE_INSTALL_DATADIR}/rtuwire" COMPONENT rtuwire_tool)

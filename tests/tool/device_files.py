@@ -1,9 +1,34 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Register files that the program writes of its drives."""
+"""Register files that come with the program, found by their names, and those that it writes of its drives."""
+import pathlib
 import tomllib
 
 from support import DIFFERS, DONE, USAGE, Tool, runs
+
+SHIPPED = pathlib.Path(__file__).resolve().parents[2] / "tools" / "devices"
+
+
+def check_shipped(tool, check):
+    """Each is found by its name, passes the check, and says where it is from; the user's own goes before."""
+    names = sorted(each.stem for each in SHIPPED.glob("*.toml"))
+    check(names == ["delta-dtb", "sdm630", "waveshare-io8ch"], "an energy meter, an I/O module, a temperature controller", names)
+    for name in names:
+        ended = tool.run("device", "check", name)
+        check(ended.status == DONE, f"{name} passes the check", ended)
+        check("# Source: " in (SHIPPED / f"{name}.toml").read_text(), f"{name} has a source")
+    found = {row["register"]: row["place"] for row in tool.run("--csv", "device", "check", "sdm630").rows()}
+    check((found["voltage_l1"], found["energy_import"]) == ("input:0:f32:1V", "input:72:f32:1kWh"), "places of a meter", found)
+    ended = tool.run("device", "check", "sdm63")
+    check(ended.status == USAGE and "did you mean 'sdm630'?" in ended.errors, "the nearest name", ended)
+    for word in ("../devices/sdm630", "sdm630.toml", "./sdm630"):
+        check(tool.run("device", "check", word).status == USAGE, f"{word} is a path", word)
+    own = tool.place / ".local" / "share" / "rtuwire" / "devices"
+    own.mkdir(parents=True)
+    (own / "sdm630.toml").write_text('[[register]]\nname = "mine"\naddress = 1\n')
+    check([row["register"] for row in tool.run("--csv", "device", "check", "sdm630").rows()] == ["mine"], "the user's own")
+    ended = tool.run("--device", "delta-dtb", "--json", "read", "process_value", port="sim:atv12:3")
+    check("process_value" in ended.output + ended.errors, "--device takes a name", ended)
 
 
 def check_export(tool, check):
@@ -29,6 +54,7 @@ def check_export(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
+        check_shipped(tool, check)
         check_export(tool, check)
 
 

@@ -15,6 +15,7 @@
 
 #include <rtuwire/frames.hpp>
 
+#include "device/device_folders.hpp"
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
 #include "files/toml_file.hpp"
@@ -466,11 +467,12 @@ named_places const& register_file_at(std::string const& file)
     if (before != known.end()) {
         return before->second;
     }
-    file_text const found = text_of_file(file);
+    std::string const path = path_of_device(file);
+    file_text const found = text_of_file(path);
     if (not found.failure.empty()) {
-        refuse_word(file + ": " + found.failure);
+        refuse_word(path + ": " + found.failure);
     }
-    return known.emplace(file, read_register_file(file, found.text)).first->second;
+    return known.emplace(file, read_register_file(path, found.text)).first->second;
 }
 
 } // namespace tool

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "device/device_folders.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "exit_status.hpp"
+#include "words/suggestion.hpp"
+
+namespace tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string variable_of(char const* name)
+{
+    char const* const value = std::getenv(name);
+    return value == nullptr ? std::string{} : value;
+}
+
+/// The user's own goes before what came with the program.
+std::vector<fs::path> device_folders()
+{
+    std::vector<fs::path> folders;
+    fs::path const data = variable_of("XDG_DATA_HOME"); // its specification: a relative one is ignored
+    std::string const home = variable_of("HOME");
+    if (data.is_absolute()) {
+        folders.push_back(data / "rtuwire" / "devices");
+    } else if (not home.empty()) {
+        folders.push_back(fs::path{home} / ".local" / "share" / "rtuwire" / "devices");
+    }
+    std::error_code failure;
+    fs::path const program = fs::read_symlink("/proc/self/exe", failure);
+    if (not failure) {
+        folders.push_back(program.parent_path().parent_path() / "share" / "rtuwire" / "devices");
+    }
+    return folders;
+}
+
+/// The names that a folder has files for.
+std::vector<std::string> names_in(fs::path const& folder)
+{
+    std::vector<std::string> names;
+    std::error_code failure;
+    for (fs::directory_iterator each{folder, failure}, end; not failure and each != end; each.increment(failure)) {
+        if (each->path().extension() == ".toml") {
+            names.push_back(each->path().stem().string());
+        }
+    }
+    return names;
+}
+
+} // namespace
+
+std::string path_of_device(std::string const& word)
+{
+    if (word.find_first_of("./") != word.npos) {
+        return word;
+    }
+    std::vector<std::string> known;
+    for (fs::path const& folder : device_folders()) {
+        std::vector<std::string> const names = names_in(folder);
+        if (std::ranges::count(names, word) != 0) {
+            return (folder / (word + ".toml")).string();
+        }
+        known.insert(known.end(), names.begin(), names.end());
+    }
+    std::ranges::sort(known);
+    std::vector<std::string_view> const views{known.begin(), known.end()};
+    std::string all;
+    for (std::string const& each : known) {
+        all += (all.empty() ? "; there is " : ", ") + each;
+    }
+    refuse_word("there is no register file called '" + word + "'" + suggestion(word, views) + all +
+                "; a file of yours has a path: ./" + word + " or " + word + ".toml");
+}
+
+} // namespace tool

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Register files by their names: those of a user, and those that come with the program.
+#pragma once
+
+#include <string>
+
+namespace tool {
+
+/// The path of a register file. A word with a point or a slash is one; else it is the name of a file of a folder, without
+/// ".toml". Refuses a name that no folder has, with the nearest.
+[[nodiscard]] std::string path_of_device(std::string const& word);
+
+} // namespace tool
