@@ -95,6 +95,7 @@ struct choices {
     std::optional<double> every{}; ///< seconds; nothing: as the command thinks best
     std::optional<double> last{};  ///< seconds; nothing: until somebody ends the program
     std::string vendor{};
+    std::string sunspec{}; ///< a folder of models; empty: none
 };
 
 } // namespace tool

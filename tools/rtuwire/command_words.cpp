@@ -157,7 +157,10 @@ void add_reading(CLI::App& app, choices& chosen)
     add_operands(map, chosen, "RANGE",
                  "input:1000-1999, list:40001-40100, coil, 0x0C80-0x0CFF; without one holding:0-9999 input:0-9999");
     map.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
-    add_places(add_command(app, chosen, "read", "read registers"), chosen, true);
+    CLI::App& read = add_command(app, chosen, "read", "read registers");
+    add_places(read, chosen, true);
+    read.add_option("--sunspec", chosen.sunspec,
+                    "a folder of SunSpec models: @sunspec reads all points of a unit by them");
     CLI::App& watch = add_command(app, chosen, "watch", "read registers again and again, a line each time");
     add_places(watch, chosen, true);
     add_period(watch, chosen);
@@ -281,7 +284,7 @@ void add_device(CLI::App& app, choices& chosen)
                  "check, then one or more files; import, then a file of another program; export, then a drive", true);
     device.add_option("-o,--output", chosen.file, "import, export: a new file; without it standard output");
     device.add_option("--base", chosen.base,
-                      "import: the address where the registers of a SunSpec model begin, or those "
+                      "import: the address where the registers of a SunSpec model begin (identify shows it), or those "
                       "of a module behind a coupler");
     add_to_footer(device, register_file_text());
 }

@@ -5,6 +5,7 @@
 #include "line/line_words.hpp"
 #include "line/shared_address.hpp"
 #include "line/who_is_it.hpp"
+#include "sunspec/model_list.hpp"
 
 namespace tool {
 
@@ -14,15 +15,18 @@ exit_status run_identify(choices const& chosen)
     named_unit const asked = unit_in(chosen.line);
     identity_words const who = who_is_it(line, asked.unit);
     std::string const shared = who.outcome == exit_status::no_answer ? std::string{} : why_shared(line, asked.unit);
+    bool const may_be_sunspec = who.drive.empty() and (who.outcome == exit_status::done or who.has_answered);
+    std::string const models = may_be_sunspec ? text_of(sunspec_models_of(line, asked.unit)) : std::string{};
+    std::string const note = models.empty() ? who.note : models;
     output results{chosen.form, false};
     results.put({{"unit", std::int64_t{asked.unit.byte()}},
                  {"vendor", who.vendor},
                  {"product", who.product},
                  {"revision", who.revision},
                  {"drive", who.drive},
-                 {"note", who.note + (who.note.empty() or shared.empty() ? "" : "; ") + shared}});
+                 {"note", note + (note.empty() or shared.empty() ? "" : "; ") + shared}});
     results.finish();
-    bool const is_known = not who.product.empty() or not who.drive.empty();
+    bool const is_known = not who.product.empty() or not who.drive.empty() or not models.empty();
     return not shared.empty() ? exit_status::differs : is_known ? exit_status::done : who.outcome;
 }
 

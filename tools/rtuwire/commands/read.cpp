@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Reads registers once.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "line/asked_registers.hpp"
 #include "line/asked_units.hpp"
 #include "line/reading.hpp"
+#include "sunspec/sunspec_read.hpp"
 
 namespace tool {
 
@@ -58,6 +60,13 @@ exit_status read_unit(asked_registers const& asked, output_form form, open_line&
 
 exit_status run_read(choices const& chosen)
 {
+    bool const is_sunspec_asked = std::ranges::count(chosen.words, sunspec_word) != 0;
+    if (is_sunspec_asked and (chosen.words.size() > 1 or chosen.sunspec.empty())) {
+        refuse_word("@sunspec stands alone, and wants --sunspec FOLDER, where model_1.json and the like are");
+    }
+    if (is_sunspec_asked) {
+        return read_sunspec(chosen);
+    }
     std::vector<named_unit> const units = units_asked(chosen.line);
     open_line line{chosen.line};
     std::vector<asked_registers> const all = registers_asked(chosen.words, units, line);

@@ -147,7 +147,7 @@ void import_sunspec(source_value const& file, std::optional<std::int64_t> base, 
     if (not base) {
         refuse_word(into.file() +
                     ": a model of SunSpec stands where its device says: say the address of its first register, "
-                    "such as --base 40070");
+                    "such as --base 40070; identify shows it");
     }
     into.add_comment("Imported from the SunSpec model " + file.text_of("id") + ", " + group.text_of("name") + '.');
     static_cast<void>(sunspec_reader{*base, into}.read_group(group, {}));
