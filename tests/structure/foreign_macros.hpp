@@ -25,6 +25,31 @@
 // everywhere the same.
 #define word(...) makeWord(__VA_ARGS__)
 
+// Letters, as programs in C define them; R and T are the names of what a template takes, and F is Arduino's, below.
+#define A @
+#define B @
+#define C @
+#define D @
+#define E @
+#define G @
+#define H @
+#define I @
+#define J @
+#define K @
+#define L @
+#define M @
+#define N @
+#define O @
+#define P @
+#define Q @
+#define S @
+#define U @
+#define V @
+#define W @
+#define X @
+#define Y @
+#define Z @
+
 // Qt (qobjectdefs.h, qtmetamacros.h, qglobal.h, qforeach.h).
 #define foreach(a, b) @
 #define SIGNAL(a) @

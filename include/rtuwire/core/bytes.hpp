@@ -225,9 +225,9 @@ private:
 /// `Size` times `value`, which may be of a type without a default value.
 template <std::size_t Size, typename T> [[nodiscard]] constexpr std::array<T, Size> filled(T const& value) noexcept
 {
-    return [&]<std::size_t... I>(std::index_sequence<I...>)
+    return [&]<std::size_t... Index>(std::index_sequence<Index...>)
     {
-        return std::array<T, Size>{(static_cast<void>(I), value)...};
+        return std::array<T, Size>{(static_cast<void>(Index), value)...};
     }
     (std::make_index_sequence<Size>{});
 }

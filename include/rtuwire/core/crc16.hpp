@@ -188,13 +188,13 @@ template <std::size_t Count> struct power {
 };
 
 /// Lanes times x^(64 Count), and the words that follow in the message.
-template <std::size_t Count, std::size_t... I>
+template <std::size_t Count, std::size_t... Index>
 [[nodiscard]] constexpr lanes<Count> fold(lanes<Count> left, lanes<Count> const& next,
-                                          std::index_sequence<I...>) noexcept
+                                          std::index_sequence<Index...>) noexcept
 {
     left[Count - 1] ^= power<Count>::leaving(left[0]);
-    return {(next[I] ^ power<Count>::staying(left[I]) ^
-             (I + 1 < Count ? power<Count>::leaving(left[(I + 1) % Count]) : 0U))...};
+    return {(next[Index] ^ power<Count>::staying(left[Index]) ^
+             (Index + 1 < Count ? power<Count>::leaving(left[(Index + 1) % Count]) : 0U))...};
 }
 template <std::size_t Count>
 [[nodiscard]] constexpr lanes<Count> fold(lanes<Count> const& left, lanes<Count> const& next) noexcept
@@ -203,10 +203,10 @@ template <std::size_t Count>
 }
 
 /// The first half folded onto the second.
-template <std::size_t Half, std::size_t... I>
-[[nodiscard]] constexpr lanes<Half> halved(lanes<2 * Half> const& whole, std::index_sequence<I...>) noexcept
+template <std::size_t Half, std::size_t... Index>
+[[nodiscard]] constexpr lanes<Half> halved(lanes<2 * Half> const& whole, std::index_sequence<Index...>) noexcept
 {
-    return fold<Half>(lanes<Half>{whole[I]...}, lanes<Half>{whole[Half + I]...});
+    return fold<Half>(lanes<Half>{whole[Index]...}, lanes<Half>{whole[Half + Index]...});
 }
 template <std::size_t Half> [[nodiscard]] constexpr lanes<Half> halved(lanes<2 * Half> const& whole) noexcept
 {
@@ -214,10 +214,10 @@ template <std::size_t Half> [[nodiscard]] constexpr lanes<Half> halved(lanes<2 *
 }
 
 /// The same words with zeros before them, which change no remainder.
-template <std::size_t Count, std::size_t... I>
-[[nodiscard]] constexpr lanes<2 * Count> doubled(lanes<Count> const& words, std::index_sequence<I...>) noexcept
+template <std::size_t Count, std::size_t... Index>
+[[nodiscard]] constexpr lanes<2 * Count> doubled(lanes<Count> const& words, std::index_sequence<Index...>) noexcept
 {
-    return {(I < Count ? 0U : words[I % Count])...};
+    return {(Index < Count ? 0U : words[Index % Count])...};
 }
 template <std::size_t Count> [[nodiscard]] constexpr lanes<2 * Count> doubled(lanes<Count> const& words) noexcept
 {
@@ -250,13 +250,14 @@ public:
     }
 
 private:
-    template <std::size_t Count, std::size_t... I> constexpr lanes<Count> take(std::index_sequence<I...>) noexcept
+    template <std::size_t Count, std::size_t... Index>
+    constexpr lanes<Count> take(std::index_sequence<Index...>) noexcept
     {
-        lanes<Count> next{word_at(at_ + 8 * I)...};
+        lanes<Count> next{word_at(at_ + 8 * Index)...};
         next[0] ^= start_;
         start_ = 0;
         at_ += 8 * Count;
-        ((parity_ ^= next[I]), ...);
+        ((parity_ ^= next[Index]), ...);
         return next;
     }
 

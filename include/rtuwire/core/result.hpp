@@ -160,7 +160,7 @@ public:
     [[nodiscard]] constexpr T value_or(T const& other) const noexcept { return has_value() ? value_ : other; }
 
     /// Calls `next` with the value, or passes the error on. `next` returns a result.
-    template <typename F> constexpr auto and_then(F&& next) const -> std::invoke_result_t<F, T const&>
+    template <typename Next> constexpr auto and_then(Next&& next) const -> std::invoke_result_t<Next, T const&>
     {
         if (not has_value()) {
             return error_;
@@ -175,9 +175,9 @@ public:
     }
 
     /// Equal to a value when it holds an equal one.
-    template <typename U>
-        requires(not std::is_same_v<U, errc>)
-    friend constexpr bool operator==(result const& left, U const& right)
+    template <typename Other>
+        requires(not std::is_same_v<Other, errc>)
+    friend constexpr bool operator==(result const& left, Other const& right)
     {
         return left.has_value() and left.value_ == right;
     }

@@ -112,37 +112,55 @@ template <typename Dimension, typename Unit, char... Digits> [[nodiscard]] const
 
 inline namespace literals {
 
-template <char... D> consteval auto operator""_Hz() noexcept { return spelled<frequency, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_kHz() noexcept { return spelled<frequency, std::kilo, D...>(); }
-template <char... D> consteval auto operator""_rpm() noexcept { return spelled<rotation, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_A() noexcept { return spelled<current, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_mA() noexcept { return spelled<current, std::milli, D...>(); }
-template <char... D> consteval auto operator""_V() noexcept { return spelled<voltage, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_percent() noexcept { return spelled<proportion, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_s() noexcept { return spelled<time_span, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_h() noexcept { return spelled<operating_time, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_Nm() noexcept { return spelled<torque, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_W() noexcept { return spelled<power, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_kW() noexcept { return spelled<power, std::kilo, D...>(); }
-template <char... D> consteval auto operator""_VA() noexcept { return spelled<apparent_power, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_var() noexcept { return spelled<reactive_power, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_bar() noexcept { return spelled<pressure, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_m3() noexcept { return spelled<volume, std::ratio<1>, D...>(); }
-template <char... D> consteval auto operator""_K() noexcept
+template <char... Text> consteval auto operator""_Hz() noexcept { return spelled<frequency, std::ratio<1>, Text...>(); }
+template <char... Text> consteval auto operator""_kHz() noexcept { return spelled<frequency, std::kilo, Text...>(); }
+template <char... Text> consteval auto operator""_rpm() noexcept { return spelled<rotation, std::ratio<1>, Text...>(); }
+template <char... Text> consteval auto operator""_A() noexcept { return spelled<current, std::ratio<1>, Text...>(); }
+template <char... Text> consteval auto operator""_mA() noexcept { return spelled<current, std::milli, Text...>(); }
+template <char... Text> consteval auto operator""_V() noexcept { return spelled<voltage, std::ratio<1>, Text...>(); }
+template <char... Text> consteval auto operator""_percent() noexcept
 {
-    return spelled<absolute_temperature, std::ratio<1>, D...>();
+    return spelled<proportion, std::ratio<1>, Text...>();
 }
-template <char... D> consteval auto operator""_kWh() noexcept
+template <char... Text> consteval auto operator""_s() noexcept { return spelled<time_span, std::ratio<1>, Text...>(); }
+template <char... Text> consteval auto operator""_h() noexcept
 {
-    return spelled<electrical_energy, std::ratio<1>, D...>();
+    return spelled<operating_time, std::ratio<1>, Text...>();
 }
-template <char... D> consteval auto operator""_Wh() noexcept { return spelled<electrical_energy, std::milli, D...>(); }
-template <char... D> consteval auto operator""_celsius() noexcept
+template <char... Text> consteval auto operator""_Nm() noexcept { return spelled<torque, std::ratio<1>, Text...>(); }
+template <char... Text> consteval auto operator""_W() noexcept { return spelled<power, std::ratio<1>, Text...>(); }
+template <char... Text> consteval auto operator""_kW() noexcept { return spelled<power, std::kilo, Text...>(); }
+template <char... Text> consteval auto operator""_VA() noexcept
 {
-    return spelled<temperature, std::ratio<1>, D...>();
+    return spelled<apparent_power, std::ratio<1>, Text...>();
+}
+template <char... Text> consteval auto operator""_var() noexcept
+{
+    return spelled<reactive_power, std::ratio<1>, Text...>();
+}
+template <char... Text> consteval auto operator""_bar() noexcept { return spelled<pressure, std::ratio<1>, Text...>(); }
+template <char... Text> consteval auto operator""_m3() noexcept { return spelled<volume, std::ratio<1>, Text...>(); }
+template <char... Text> consteval auto operator""_K() noexcept
+{
+    return spelled<absolute_temperature, std::ratio<1>, Text...>();
+}
+template <char... Text> consteval auto operator""_kWh() noexcept
+{
+    return spelled<electrical_energy, std::ratio<1>, Text...>();
+}
+template <char... Text> consteval auto operator""_Wh() noexcept
+{
+    return spelled<electrical_energy, std::milli, Text...>();
+}
+template <char... Text> consteval auto operator""_celsius() noexcept
+{
+    return spelled<temperature, std::ratio<1>, Text...>();
 }
 /// A plain number for a register without a unit.
-template <char... D> consteval auto operator""_raw() noexcept { return spelled<dimensionless, std::ratio<1>, D...>(); }
+template <char... Text> consteval auto operator""_raw() noexcept
+{
+    return spelled<dimensionless, std::ratio<1>, Text...>();
+}
 
 } // namespace literals
 

@@ -34,10 +34,10 @@ struct choice {
 namespace detail {
 
 /// The names of an enumeration that is made of choices, and names the list in a function beside it; else none.
-template <typename E> [[nodiscard]] consteval auto names_in_choices(literal choice::*what) noexcept
+template <typename Enum> [[nodiscard]] consteval auto names_in_choices(literal choice::*what) noexcept
 {
-    if constexpr (requires { choices_beside(E{}); }) {
-        constexpr std::span<choice const> list = choices_beside(E{});
+    if constexpr (requires { choices_beside(Enum{}); }) {
+        constexpr std::span<choice const> list = choices_beside(Enum{});
         std::array<named_value, list.size()> names{};
         for (std::size_t i = 0; i < list.size(); ++i) {
             names[i] = {list[i].word, list[i].*what};
@@ -52,15 +52,15 @@ template <typename E> [[nodiscard]] consteval auto names_in_choices(literal choi
 } // namespace detail
 
 /// The names of an enumeration's values; specialised next to each enumeration that has any.
-template <typename E> inline constexpr auto enumerators = detail::names_in_choices<E>(&choice::mnemonic);
+template <typename Enum> inline constexpr auto enumerators = detail::names_in_choices<Enum>(&choice::mnemonic);
 
 /// What an enumeration's values mean, in words; specialised beside `enumerators` where the manual's table has words.
-template <typename E> inline constexpr auto meanings = detail::names_in_choices<E>(&choice::meaning);
+template <typename Enum> inline constexpr auto meanings = detail::names_in_choices<Enum>(&choice::meaning);
 
 namespace detail {
 
 /// A list of names, for a specialisation of `enumerators` or `meanings`.
-template <typename E, std::size_t Count>
+template <typename Enum, std::size_t Count>
 [[nodiscard]] consteval std::array<named_value, Count> name_list(named_value const (&names)[Count]) noexcept
 {
     std::array<named_value, Count> list{};
@@ -71,11 +71,11 @@ template <typename E, std::size_t Count>
 }
 
 /// The values of an enumeration that its names list; none where it has no names.
-template <typename E>
+template <typename Enum>
 inline constexpr auto listed_values = [] {
-    std::array<std::uint16_t, enumerators<E>.size()> values{};
+    std::array<std::uint16_t, enumerators<Enum>.size()> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = enumerators<E>[i].value;
+        values[i] = enumerators<Enum>[i].value;
     }
     return values;
 }();
@@ -114,9 +114,9 @@ inline constexpr auto listed_values = [] {
 } // namespace detail
 
 /// The mnemonic of a value; empty where none is known.
-template <typename E> [[nodiscard]] constexpr literal name_of(E value) noexcept
+template <typename Enum> [[nodiscard]] constexpr literal name_of(Enum value) noexcept
 {
-    return detail::listed_name(enumerators<E>, static_cast<std::uint16_t>(value));
+    return detail::listed_name(enumerators<Enum>, static_cast<std::uint16_t>(value));
 }
 
 /// One word whose bits are named by an enumeration of bit numbers 0..15.

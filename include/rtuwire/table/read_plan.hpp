@@ -60,10 +60,10 @@ template <typename List> struct joined_lists<List> {
 template <typename First, typename Second, typename... Others>
 struct joined_lists<First, Second, Others...> : joined_lists<typename First::template followed_by<Second>, Others...> {
 };
-template <typename First, typename A, typename B, typename C, typename D, typename E, typename F, typename G,
-          typename H, typename... Others>
-struct joined_lists<First, A, B, C, D, E, F, G, H, Others...>
-    : joined_lists<typename First::template followed_by<typename joined_lists<A, B, C, D, E, F, G, H>::type>,
+template <typename First, typename L1, typename L2, typename L3, typename L4, typename L5, typename L6, typename L7,
+          typename L8, typename... Others>
+struct joined_lists<First, L1, L2, L3, L4, L5, L6, L7, L8, Others...>
+    : joined_lists<typename First::template followed_by<typename joined_lists<L1, L2, L3, L4, L5, L6, L7, L8>::type>,
                    Others...> {};
 
 /// All registers that a plan's arguments name. Named in one list where none of them is a group.

@@ -36,14 +36,14 @@ namespace detail {
 
 /// An enumerator: "SLF1: Modbus interrupted", only one of both where the other is not known, and its number, "#25",
 /// where neither is.
-template <register_enumeration E> [[nodiscard]] constexpr auto text_of(E value) noexcept
+template <register_enumeration Enum> [[nodiscard]] constexpr auto text_of(Enum value) noexcept
 {
     constexpr std::size_t numbered = 6;
-    constexpr std::size_t named = detail::longest_name(enumerators<E>) + 2 + detail::longest_name(meanings<E>);
+    constexpr std::size_t named = detail::longest_name(enumerators<Enum>) + 2 + detail::longest_name(meanings<Enum>);
     auto const number = static_cast<std::uint16_t>(value);
     detail::short_text<(named > numbered ? named : numbered)> text;
-    literal const name = detail::listed_name(enumerators<E>, number);
-    literal const meaning = detail::listed_name(meanings<E>, number);
+    literal const name = detail::listed_name(enumerators<Enum>, number);
+    literal const meaning = detail::listed_name(meanings<Enum>, number);
     text.precede(meaning);
     if (name.size() != 0 and meaning.size() != 0) {
         text.precede(": ");

@@ -118,10 +118,10 @@ template <std::size_t... Numbers> [[nodiscard]] consteval std::size_t sum_of() n
 } // namespace detail
 
 /// Never defined for two registers: their names are the message, their arguments the registers in conflict.
-template <auto const& A, auto const& B> struct these_registers_overlap;
-template <auto const& A, auto const& B> struct these_registers_have_one_code;
-template <auto const& A> struct these_registers_overlap<A, A> {};
-template <auto const& A> struct these_registers_have_one_code<A, A> {};
+template <auto const& One, auto const& Other> struct these_registers_overlap;
+template <auto const& One, auto const& Other> struct these_registers_have_one_code;
+template <auto const& One> struct these_registers_overlap<One, One> {};
+template <auto const& One> struct these_registers_have_one_code<One, One> {};
 
 namespace detail {
 
@@ -137,8 +137,8 @@ template <std::size_t Index, auto const& First, auto const&... Rest>
 }
 
 /// The same far behind in a long list: a template calls itself only some hundred times.
-template <std::size_t Index, auto const& A, auto const& B, auto const& C, auto const& D, auto const& E, auto const& F,
-          auto const& G, auto const& H, auto const&... Rest>
+template <std::size_t Index, auto const& R1, auto const& R2, auto const& R3, auto const& R4, auto const& R5,
+          auto const& R6, auto const& R7, auto const& R8, auto const&... Rest>
     requires(Index >= 8)
 [[nodiscard]] constexpr auto const& register_at() noexcept { return register_at<Index - 8, Rest...>(); }
 

@@ -44,7 +44,7 @@ template <typename T>
 concept broadcastable = pdu<T> and T::may_be_broadcast;
 
 /// A frame with room for the longest PDU of the type.
-template <pdu P> using frame_of = fixed_buffer<P::max_size + adu_overhead>;
+template <pdu Pdu> using frame_of = fixed_buffer<Pdu::max_size + adu_overhead>;
 
 /// The PDU of a frame of at least 4 bytes.
 [[nodiscard]] constexpr byte_view pdu_of(byte_view frame) noexcept
@@ -105,8 +105,8 @@ constexpr byte_span append_crc(byte_span place, std::size_t pdu_size) noexcept
 /// Writes unit, PDU and CRC into `out`, without checking that this request may go to the unit. Returns the
 /// part of `out` written. Errors: what the PDU's own check finds, or `buffer_too_small`; `out` is then
 /// unchanged.
-template <pdu P>
-[[nodiscard]] constexpr result<byte_span> encode_adu(byte_span out, std::uint8_t unit, P const& value) noexcept
+template <pdu Pdu>
+[[nodiscard]] constexpr result<byte_span> encode_adu(byte_span out, std::uint8_t unit, Pdu const& value) noexcept
 {
     if (errc const wrong = value.check(); wrong != errc::none) {
         return wrong;
@@ -124,27 +124,27 @@ template <pdu P>
 } // namespace detail
 
 /// Writes the frame of a request or response of one unit into `out`; returns the part written.
-template <detail::pdu P>
-[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, unit_id unit, P const& value) noexcept
+template <detail::pdu Pdu>
+[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, unit_id unit, Pdu const& value) noexcept
 {
     return detail::encode_adu(out, unit.byte(), value);
 }
 
 /// Writes the frame of a request to one unit, or of a broadcast, into `out`; returns the part written.
-template <detail::broadcastable P>
-[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, detail::destination to, P const& value) noexcept
+template <detail::broadcastable Pdu>
+[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, detail::destination to, Pdu const& value) noexcept
 {
     return detail::encode_adu(out, to.byte(), value);
 }
 
 /// The frame of a request or response, as a value. Store it in a variable before taking a view of its bytes.
 /// A request that needs a response cannot be broadcast: that does not compile.
-template <typename To, detail::pdu P>
-[[nodiscard]] constexpr result<detail::frame_of<P>> encode(To to, P const& value) noexcept
+template <typename To, detail::pdu Pdu>
+[[nodiscard]] constexpr result<detail::frame_of<Pdu>> encode(To to, Pdu const& value) noexcept
 {
-    static_assert(std::same_as<To, unit_id> or detail::broadcastable<P>,
+    static_assert(std::same_as<To, unit_id> or detail::broadcastable<Pdu>,
                   "a broadcast has no response, so only a write can be broadcast");
-    detail::frame_of<P> frame;
+    detail::frame_of<Pdu> frame;
     auto const written = encode_into(frame.storage(), to, value);
     if (not written) {
         return written.error();

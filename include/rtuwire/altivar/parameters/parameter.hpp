@@ -44,20 +44,20 @@ struct parameter_type {
 
 /// What the values of an enumeration, or the bits of a word, mean; specialised where the list for driving has no words.
 /// Internal.
-template <typename E> inline constexpr auto const& words_of = meanings<E>;
+template <typename Enum> inline constexpr auto const& words_of = meanings<Enum>;
 
 /// The values of an enumeration that has a type, or the bits of such a word, as choices.
 /// Internal.
-template <typename E>
+template <typename Enum>
 inline constexpr auto choices_of = [] {
-    constexpr bool has_mnemonics = enumerators<E>.size() != 0;
-    std::array<choice, has_mnemonics ? enumerators<E>.size() : words_of<E>.size()> all{};
+    constexpr bool has_mnemonics = enumerators<Enum>.size() != 0;
+    std::array<choice, has_mnemonics ? enumerators<Enum>.size() : words_of<Enum>.size()> all{};
     for (std::size_t i = 0; i < all.size(); ++i) {
         if constexpr (has_mnemonics) {
-            named_value const& each = enumerators<E>[i];
-            all[i] = {each.value, each.name, detail::listed_name(words_of<E>, each.value)};
+            named_value const& each = enumerators<Enum>[i];
+            all[i] = {each.value, each.name, detail::listed_name(words_of<Enum>, each.value)};
         } else {
-            all[i] = {words_of<E>[i].value, {}, words_of<E>[i].name};
+            all[i] = {words_of<Enum>[i].value, {}, words_of<Enum>[i].name};
         }
     }
     return all;

@@ -255,27 +255,29 @@ inline constexpr auto const& parameter_called = []<std::size_t... At>(std::index
 /// Internal.
 template <mnemonic Name> struct named_choice {
     /// The value of an enumeration that has this name.
-    template <register_enumeration E> [[nodiscard]] static consteval E value() noexcept
+    template <register_enumeration Enum> [[nodiscard]] static consteval Enum value() noexcept
     {
-        constexpr std::size_t count = enumerators<E>.size();
+        constexpr std::size_t count = enumerators<Enum>.size();
         constexpr std::size_t place = [] {
             std::size_t found = count;
             for (std::size_t i = 0; i < count; ++i) {
-                found = enumerators<E>[i].name == literal{Name.letters} ? i : found;
+                found = enumerators<Enum>[i].name == literal{Name.letters} ? i : found;
             }
             for (std::size_t i = 0; found == count and i < count; ++i) {
-                found = detail::listed_name(meanings<E>, enumerators<E>[i].value) == literal{Name.letters} ? i : found;
+                found = detail::listed_name(meanings<Enum>, enumerators<Enum>[i].value) == literal{Name.letters}
+                            ? i
+                            : found;
             }
             return found;
         }();
         constexpr bool is_known = place < count;
         static_assert(is_known, "this register has no value of this name");
-        return static_cast<E>(enumerators<E>[is_known ? place : 0].value);
+        return static_cast<Enum>(enumerators<Enum>[is_known ? place : 0].value);
     }
 
-    template <register_enumeration E> constexpr operator E() const noexcept
+    template <register_enumeration Enum> constexpr operator Enum() const noexcept
     {
-        constexpr E which = value<E>();
+        constexpr Enum which = value<Enum>();
         return which;
     }
 
@@ -287,9 +289,9 @@ template <mnemonic Name> struct named_choice {
         return which;
     }
 
-    template <register_enumeration E> friend constexpr bool operator==(E left, named_choice) noexcept
+    template <register_enumeration Enum> friend constexpr bool operator==(Enum left, named_choice) noexcept
     {
-        constexpr E right = value<E>();
+        constexpr Enum right = value<Enum>();
         return left == right;
     }
 };

@@ -22,21 +22,21 @@ inline namespace RTUWIRE_BUILD {
 
 /// `reg<known<valve>>` holds only what `enumerators<valve>` lists: any other word is `value_without_meaning`, read or
 /// written. `reg<valve>` shows on reading whatever the device sent.
-template <register_enumeration E> struct known {
-    static_assert(enumerators<E>.size() > 0, "this enumeration lists no values: specialise enumerators for it");
+template <register_enumeration Enum> struct known {
+    static_assert(enumerators<Enum>.size() > 0, "this enumeration lists no values: specialise enumerators for it");
 
-    using value_type = E;
+    using value_type = Enum;
     static constexpr std::uint16_t word_count = 1;
     using words = std::array<std::uint16_t, 1>;
 
-    [[nodiscard]] static constexpr result<E> from_words(words const& from) noexcept
+    [[nodiscard]] static constexpr result<Enum> from_words(words const& from) noexcept
     {
-        if (not detail::has_meaning(detail::listed_words<E>(), from[0])) {
+        if (not detail::has_meaning(detail::listed_words<Enum>(), from[0])) {
             return errc::value_without_meaning;
         }
-        return static_cast<E>(from[0]);
+        return static_cast<Enum>(from[0]);
     }
-    [[nodiscard]] static constexpr words to_words(E value) noexcept { return {static_cast<std::uint16_t>(value)}; }
+    [[nodiscard]] static constexpr words to_words(Enum value) noexcept { return {static_cast<std::uint16_t>(value)}; }
 };
 
 namespace detail {
@@ -97,10 +97,10 @@ template <auto const&... Fields> struct packed {
     std::uint16_t bits{0};
 
     /// The value of a field. Of `known` enumerators a result: `value_without_meaning` where the bits are in a hole.
-    template <auto const& F> [[nodiscard]] constexpr auto get() const noexcept
+    template <auto const& Field> [[nodiscard]] constexpr auto get() const noexcept
     {
-        static_assert(contains<F>, "this word has no such field");
-        using field = std::remove_cvref_t<decltype(F)>;
+        static_assert(contains<Field>, "this word has no such field");
+        using field = std::remove_cvref_t<decltype(Field)>;
         std::uint16_t const own = field::own_word(bits);
         if constexpr (std::same_as<typename field::form, bool>) {
             return own != 0;
@@ -113,12 +113,12 @@ template <auto const&... Fields> struct packed {
 
     /// The same word with another value in a field; `value_too_high` or `value_too_low` where its bits do not hold it,
     /// `value_without_meaning` for an enumerator that is not known.
-    template <auto const& F>
+    template <auto const& Field>
     [[nodiscard]] constexpr result<packed>
-    with(typename std::remove_cvref_t<decltype(F)>::value_type value) const noexcept
+    with(typename std::remove_cvref_t<decltype(Field)>::value_type value) const noexcept
     {
-        static_assert(contains<F>, "this word has no such field");
-        using field = std::remove_cvref_t<decltype(F)>;
+        static_assert(contains<Field>, "this word has no such field");
+        using field = std::remove_cvref_t<decltype(Field)>;
         std::uint16_t word = 0;
         if constexpr (std::same_as<typename field::form, bool>) {
             word = value ? field::mask : std::uint16_t{0};
@@ -141,7 +141,7 @@ template <auto const&... Fields> struct packed {
     friend constexpr bool operator==(packed, packed) noexcept = default;
 
 private:
-    template <auto const& F> static constexpr bool contains = (detail::is_same_register<F, Fields> or ...);
+    template <auto const& Field> static constexpr bool contains = (detail::is_same_register<Field, Fields> or ...);
 };
 
 } // namespace RTUWIRE_BUILD
