@@ -85,6 +85,19 @@ TEST_CASE("a station has an address of its device's range")
     CHECK(station<gauge>{unit_id{31}}.unit() == unit_id{31});
 }
 
+TEST_CASE("a station has a reserved address where its device's range has it, and never that of everyone")
+{
+    struct on_its_own : gauge {
+        static constexpr unit_range units{0, 255};
+    };
+    for (std::uint32_t number = 0; number <= 300; ++number) {
+        auto const found = station<on_its_own>::checked(number);
+        REQUIRE(found.has_value() == (number >= 1 and number <= 255));
+        REQUIRE((not found or found->unit().byte() == number));
+    }
+    CHECK(station<on_its_own>{unit_id::reserved(248)}.unit() == unit_id::reserved(248));
+}
+
 TEST_CASE("a device that says nothing else has the addresses 1 to 247 and a time-out that can be set")
 {
     unit_range const all{};
