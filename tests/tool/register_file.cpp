@@ -330,6 +330,12 @@ TEST_CASE("a register file that is wrong is refused with its place and the reaso
         {of_one("[device]\nmax_registers = 0"), "m.toml:5:17: max_registers is a whole number from 1 to 125"},
         {of_one("[device]\nmax_register = 9"),
          "m.toml:5:1: 'max_register' is no key here; did you mean 'max_registers'?"},
+        {of_one("simulated = 70000"), "m.toml:4:13: simulated: it takes 0 to 65535"},
+        {of_one("bits = \"3-4\"\nsimulated = 4"), "m.toml:5:13: simulated: these bits are one number from 0 to 3"},
+        {of_one("choices = { off = 0 }\nsimulated = \"on\""), "m.toml:5:13: simulated: a1 takes off 0"},
+        {of_one("simulated = [1]"), "m.toml:4:13: simulated: it takes a number"},
+        {of_one("[device]\nvendor = \"A\""), "vendor and product go together"},
+        {of_one("[device]\nvendor = \"\"\nproduct = \"B\""), "m.toml:5:10: vendor is a text of 1 to 63 characters"},
         {of_one("type = \"f32\"\n[device]\nmax_registers = 1"),
          "m.toml:4:8: a1 has 2 registers, and max_registers is 1"},
     };

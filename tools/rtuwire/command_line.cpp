@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -296,6 +297,11 @@ parsed parse(int argc, char** argv)
         refuse_word(wrong);
     }
     mend(app, chosen, of_file);
+    if (chosen.command == "simulate" and not chosen.line.device.empty()) { // the device itself
+        std::string const device = std::exchange(chosen.line.device, {});
+        bool const has_unit = device.rfind(".toml:") != device.npos;
+        chosen.words.push_back(has_unit ? device : device + ':' + std::to_string(unit_in(chosen.line).unit.byte()));
+    }
     read_register_files(chosen, app.get_option("--pause")->count() > 0);
     chosen.line.typed = typed_in(app, argc > 0 ? argv[0] : "");
     if (chosen.command == "completion" or chosen.command == "man") {

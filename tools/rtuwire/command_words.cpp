@@ -25,7 +25,8 @@ std::string why_no_number(std::string const& word)
 
 void add_line_options(CLI::App& app, line_choices& line)
 {
-    app.add_option("-p,--port", line.port, "/dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3 or a capture file");
+    app.add_option("-p,--port", line.port,
+                   "/dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3, sim:meter.toml:61 or a capture file");
     app.add_option("-u,--unit", line.unit,
                    "the unit's address, or a name given by --name; for read, watch and monitor a list, 2,5,10-14, or "
                    "-u 2 -u 5")
@@ -271,8 +272,9 @@ void add_line_tools(CLI::App& app, choices& chosen)
     add_time_limit(timing, chosen);
     add_operands(add_command(app, chosen, "decode", "explain bytes"), chosen, "HEX",
                  "bytes, or - to read them from standard input; none with a capture as --port");
-    CLI::App& simulate = add_command(app, chosen, "simulate", "simulated drives on a pseudo-terminal or a port");
-    add_operands(simulate, chosen, "DRIVE:UNIT", "such as atv320:1", true);
+    CLI::App& simulate = add_command(app, chosen, "simulate",
+                                     "simulated drives, and devices of register files, on a pseudo-terminal or a port");
+    add_operands(simulate, chosen, "DRIVE:UNIT", "such as atv320:1, or meter.toml:61; also --device meter.toml:61");
     simulate.add_option("--vendor", chosen.vendor, "who made them, instead of what their manuals print");
 }
 

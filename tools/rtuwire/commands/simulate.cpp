@@ -18,6 +18,7 @@
 #include "line/open_line.hpp"
 #include "output/plain_text.hpp"
 #include "port/port_word.hpp"
+#include "port/simulated_device.hpp"
 #include "port/simulated_line.hpp"
 #include "port/simulated_words.hpp"
 
@@ -34,6 +35,9 @@ std::vector<simulated_drive_choice> drives_in(std::vector<std::string> const& wo
     std::string all;
     for (std::string const& each : words) {
         all += (all.empty() ? "" : ",") + each;
+    }
+    if (all.empty()) {
+        refuse_word("simulate: what? say atv320:1, meter.toml:61 or --device meter.toml");
     }
     simulated_words const found = read_simulated_drives(all);
     if (not found.why.empty()) {
@@ -65,9 +69,10 @@ template <typename Line> void apply(Line& line, std::string const& order)
     auto* const drive = unit ? line.find(*unit) : nullptr;
     std::string const what = space == std::string::npos ? "" : order.substr(space + 1);
     if (drive != nullptr and what == "show") {
-        say("unit %u: %s\n", *unit, drive->shown().c_str());
+        standard_output.put("unit " + std::to_string(*unit) + ": " + plain_text(drive->shown()) + '\n');
     } else if (drive == nullptr or not drive->suffer(what, line.now())) {
-        complain("simulate understands: UNIT show|%s\n", drive_events);
+        std::string const known = drive == nullptr ? std::string{"UNIT show|"} + drive_events : drive->understood();
+        error_output.put("simulate understands: " + plain_text(known) + '\n');
     }
 }
 
@@ -104,7 +109,7 @@ exit_status serve(Port& port, std::string const& path, line_timing const& timing
 {
     simulated_line<Port> line{port, timing, vendor};
     for (auto const& each : drives) {
-        line.add(each.drive, each.unit);
+        add_to(line, each, timing);
     }
     if (not listen(line, port.now() + timing.frame_end() + timing.frame_end(), timing.frame_end())) {
         return exit_status::port;

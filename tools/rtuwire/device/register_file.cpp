@@ -19,6 +19,7 @@
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
 #include "files/toml_file.hpp"
+#include "output/plain_text.hpp"
 #include "words/named_value.hpp"
 #include "words/suggestion.hpp"
 #include "words/time_words.hpp"
@@ -26,6 +27,8 @@
 namespace tool {
 
 namespace {
+
+constexpr std::size_t longest_identity = 63;
 
 class file_reader {
 public:
@@ -95,10 +98,27 @@ private:
         return value != nullptr and value->as_boolean()->get();
     }
 
+    /// What a unit says of itself; empty where nobody said.
+    std::string identity_in(toml::table const& from, std::string_view key) const
+    {
+        auto const text = text_in(from, key);
+        if (text and (text->empty() or text->size() > longest_identity or plain_text(*text) != *text)) {
+            refuse(from.get(key)->source(), std::string{key} + " is a text of 1 to " +
+                                                std::to_string(longest_identity) +
+                                                " characters, without control characters");
+        }
+        return text.value_or("");
+    }
+
     void read_device(toml::table const& all)
     {
         if (toml::table const* const device = table_in(all, "device")) {
-            check_keys(file_, *device, {"max_registers", "pause"});
+            check_keys(file_, *device, {"vendor", "product", "max_registers", "pause"});
+            found_.vendor = identity_in(*device, "vendor");
+            found_.product = identity_in(*device, "product");
+            if (found_.vendor.empty() != found_.product.empty()) {
+                refuse(device->source(), "vendor and product go together: what the unit says of itself by function 43");
+            }
             auto const most = whole_in(*device, "max_registers", 1, rtuwire::max_read_quantity);
             found_.max_registers = most ? std::optional{static_cast<std::uint16_t>(*most)} : std::nullopt;
             found_.pause = whole_in(*device, "pause", 0, 3'000);
@@ -238,7 +258,7 @@ private:
     {
         check_keys(file_, from,
                    {"name", "space", "address", "bits", "type", "order", "scale", "unit", "offset", "access", "min",
-                    "max", "choices", "invalid", "setting", "stored", "moves", "group"});
+                    "max", "choices", "invalid", "setting", "stored", "moves", "group", "simulated"});
         auto const name = text_in(from, "name");
         if (not name) {
             refuse(from.source(), "a register without a name");
@@ -259,6 +279,7 @@ private:
         read_invalid(from, one);
         read_marks(from, one);
         read_group(from, one);
+        read_simulated(from, one);
         check_overlap(from, one);
         found_.places.push_back(std::move(one));
     }
@@ -427,6 +448,28 @@ private:
                                                     " = \"1s\" behind [groups]" + suggestion(*name, known));
         }
         one.group = group->name;
+    }
+
+    /// With what a simulated device begins: a value in the unit, the name of a choice, a text, true or false.
+    void read_simulated(toml::table const& from, named_place& one) const
+    {
+        toml::node const* const value = from.get("simulated");
+        if (value == nullptr) {
+            return;
+        }
+        bool const is_float = one.where.form.type == value_type::f32 or one.where.form.type == value_type::f64;
+        std::string const text = value->is_string()    ? value->as_string()->get()
+                                 : value->is_boolean() ? std::string{value->as_boolean()->get() ? "1" : "0"}
+                                 : value->is_integer() ? std::to_string(value->as_integer()->get())
+                                 : value->is_floating_point()
+                                     ? (is_float ? text_of_cell(value->as_floating_point()->get())
+                                                 : decimal(value->as_floating_point()->get()))
+                                     : std::string{};
+        words_typed typed = words_to_hold(one, text);
+        if (not typed.wrong.empty()) {
+            refuse(value->source(), "simulated: " + typed.wrong);
+        }
+        one.simulated = std::move(typed.words);
     }
 
     /// Two names for one register contradict each other, or one of them is wrong.

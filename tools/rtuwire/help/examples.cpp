@@ -76,9 +76,11 @@ std::string register_file_text()
            "  setting = true        it is backed up and restored;  stored = true: a write wears the unit's memory\n"
            "  moves = true          it moves something: never written without --allow-run\n"
            "  group = \"slow\"        @slow means all of it\n"
+           "  simulated = 230.1     with what simulate begins\n"
            "and for the whole device\n"
            "  [groups]              slow = \"5min\": how often watch reads a group\n"
-           "  [device]              max_registers = 16: of one request;  pause = 50: ms before each\n";
+           "  [device]              max_registers = 16: of one request;  pause = 50: ms before each;\n"
+           "                        vendor, product: what it says of itself\n";
 }
 
 } // namespace tool

@@ -119,7 +119,7 @@ std::vector<std::uint8_t> units_in(std::string const& word)
     return {units.begin(), units.end()};
 }
 
-bool is_register_file(std::string const& type) { return type.ends_with(".toml"); }
+bool is_register_file(std::string_view type) { return type.ends_with(".toml"); }
 
 std::vector<named_unit> names_in(line_choices const& line)
 {

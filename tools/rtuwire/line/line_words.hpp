@@ -39,7 +39,7 @@ named_unit unit_in(line_choices const& line);
 named_unit unit_to_change(choices const& chosen);
 
 /// Whether the type that --name says is a register file: "meter=61:meter.toml".
-bool is_register_file(std::string const& type);
+bool is_register_file(std::string_view type);
 
 /// All that --name names. Refuses a name for two units, and two types for one unit.
 std::vector<named_unit> names_in(line_choices const& line);

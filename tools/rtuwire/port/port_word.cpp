@@ -17,7 +17,8 @@ namespace tool {
 
 namespace {
 
-constexpr std::string_view forms = "a port is /dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3 or a capture file";
+constexpr std::string_view forms =
+    "a port is /dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3, sim:meter.toml:61 or a capture file";
 
 /// What a word means; or what is wrong with it, and what may have been meant.
 struct meaning {

@@ -31,9 +31,9 @@ struct tcp_address {
     friend bool operator==(tcp_address const&, tcp_address const&) = default;
 };
 
-/// A simulated drive.
+/// A simulated drive, or a device of a register file.
 struct simulated_drive_choice {
-    std::string drive; ///< the name of one of `altivar::all_drives`
+    std::string drive; ///< the name of one of `altivar::all_drives`, or "meter.toml"
     std::uint8_t unit{1};
 
     friend bool operator==(simulated_drive_choice const&, simulated_drive_choice const&) = default;

@@ -11,6 +11,7 @@
 
 #include <rtuwire/port.hpp>
 
+#include "port/simulated_device.hpp"
 #include "port/simulated_line.hpp"
 #include "port/without_signals.hpp"
 
@@ -32,7 +33,7 @@ public:
         : port_{std::move(port)}, line_{port_, timing()}
     {
         for (simulated_drive_choice const& each : choice.drives) {
-            line_.add(each.drive, each.unit);
+            add_to(line_, each, timing());
         }
         auto ready = is_ready_.get_future();
         {

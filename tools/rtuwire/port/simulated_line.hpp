@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rtuwire/client.hpp>
@@ -41,6 +42,9 @@ public:
 
     /// Lets something happen to it, one of `drive_events`; false for what it does not know.
     virtual bool suffer(std::string const& what, rtuwire::instant now) = 0;
+
+    /// What it would have known, or why it did not take what it knows.
+    virtual std::string understood() const { return std::string{"UNIT show|"} + drive_events; }
 };
 
 template <rtuwire::device_type Device> class simulated final : public simulated_drive {
@@ -117,6 +121,15 @@ public:
             drives_.push_back(std::make_unique<simulated<type>>(station_at<type>(address, name).unit(), timing_, last_,
                                                                 identity_of_a<type>()));
         });
+    }
+
+    /// Adds what is no drive. Refuses an address that is taken.
+    void add(std::unique_ptr<simulated_drive> one)
+    {
+        if (find(one->address().byte()) != nullptr) {
+            throw usage_error{"unit " + std::to_string(one->address().byte()) + " is given twice"};
+        }
+        drives_.push_back(std::move(one));
     }
 
     simulated_drive* find(std::uint32_t address) const

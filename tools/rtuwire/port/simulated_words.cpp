@@ -7,7 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "device/register_file.hpp"
 #include "port/named_drives.hpp"
+#include "port/simulated_device.hpp"
 
 namespace tool {
 
@@ -36,9 +38,13 @@ std::vector<std::string_view> names_of_drives()
     return names;
 }
 
-/// The drive of that name, as the library spells it.
+/// The drive of that name, as the library spells it; a register file, checked whole.
 std::optional<std::string> drive_named(std::string_view name)
 {
+    if (is_register_file(name)) {
+        static_cast<void>(register_file_at(std::string{name}));
+        return std::string{name};
+    }
     for (std::string_view const each : names_of_drives()) {
         if (is_same_word(each, name)) {
             return std::string{each};
@@ -51,6 +57,9 @@ std::optional<std::string> drive_named(std::string_view name)
 std::string wrong_unit(std::string const& drive, std::uint32_t unit)
 {
     std::string why;
+    if (is_register_file(drive)) {
+        return unit >= 1 and unit <= 247 ? why : "unit " + std::to_string(unit) + " is out of range: 1 to 247";
+    }
     try {
         with_drive(drive,
                    [&](auto device) { static_cast<void>(station_at<typename decltype(device)::type>(unit, drive)); });
@@ -73,15 +82,15 @@ std::uint32_t free_unit(std::vector<simulated_drive_choice> const& drives)
 /// Adds one drive; or says what is wrong with it.
 void add(simulated_words& found, drive_word const& at)
 {
-    std::size_t const colon = (std::min)(at.word().find(':'), at.size);
+    std::size_t const colon = (std::min)(at.word().rfind(':'), at.size);
     std::string const name{at.word().substr(0, colon)};
     std::string const number{colon == at.size ? "1" : at.word().substr(colon + 1)};
     auto const drive = drive_named(name);
     if (not drive) {
         auto const names = names_of_drives();
         std::string const nearest{nearest_word(name, names)};
-        found.why =
-            (name.empty() ? "a drive is missing, one of " : "there is no drive " + name + ", only ") + drive_names();
+        found.why = (name.empty() ? "a drive is missing, one of " : "there is no drive " + name + ", only ") +
+                    drive_names() + ", or a register file, meter.toml";
         found.nearest = nearest.empty() ? "" : at.with(nearest + std::string{at.word().substr(colon)});
         return;
     }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The drives of a simulated line as a person names them: "atv320:7,atv12:3". Without a number a drive is unit 1.
+// The drives of a simulated line as a person names them: "atv320:7,atv12:3"; devices by their register files, "meter.toml:61".
+// Without a number it is unit 1.
 #pragma once
 
 #include <string>

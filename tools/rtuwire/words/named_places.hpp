@@ -34,10 +34,11 @@ struct named_place {
     bool moves{false};              ///< something moves after a write of it
     std::optional<double> lowest{}; ///< in the unit
     std::optional<double> highest{};
-    std::vector<named_choice> choices{};  ///< all that it may be; empty where it is a number
-    std::vector<std::uint64_t> invalid{}; ///< the bits that mean no value
-    std::string group{};                  ///< empty where it has none
-    unsigned line{0};                     ///< of the file
+    std::vector<named_choice> choices{};    ///< all that it may be; empty where it is a number
+    std::vector<std::uint64_t> invalid{};   ///< the bits that mean no value
+    std::string group{};                    ///< empty where it has none
+    std::vector<std::uint16_t> simulated{}; ///< with what a simulated device begins; empty: with 0
+    unsigned line{0};                       ///< of the file
 };
 
 /// What a register file says of a device.
@@ -47,6 +48,8 @@ struct named_places {
     std::vector<named_group> groups{};
     std::optional<std::uint16_t> max_registers{}; ///< of one request
     std::optional<unsigned> pause{};              ///< milliseconds of silence before a request
+    std::string vendor{}; ///< what the unit says of itself by function 43; empty where nobody said
+    std::string product{};
 
     /// In upper or lower case; null where there is none.
     [[nodiscard]] named_place const* by_name(std::string_view name) const noexcept;

@@ -48,22 +48,6 @@ std::string text_of_limits(named_place const& named)
            (named.highest ? "at most " + text(named.highest) : "");
 }
 
-/// Why words are never written there; empty where they are.
-std::string why_not(named_place const& named, std::span<std::uint16_t const> words)
-{
-    cell const value = value_of(named.where, words).value;
-    if (is_invalid(named, words)) {
-        return hex_words(words) + " means that " + named.where.name + " has no value";
-    }
-    if (not named.choices.empty() and choice_of(named, value) == nullptr) {
-        return named.where.name + " takes " + list_of_choices(named);
-    }
-    double const amount = amount_of(value);
-    bool const has_limits = named.lowest or named.highest;
-    bool const is_within = amount >= named.lowest.value_or(amount) and amount <= named.highest.value_or(amount);
-    return has_limits and not is_within ? named.where.name + " takes " + text_of_limits(named) : std::string{};
-}
-
 } // namespace
 
 formed_value value_of(named_place const& named, std::span<std::uint16_t const> words)
@@ -80,21 +64,42 @@ formed_value value_of(named_place const& named, std::span<std::uint16_t const> w
                              : formed_value{choice->name, choice->name + " (" + std::to_string(choice->number) + ')'};
 }
 
-words_typed words_for(named_place const& named, std::string_view text)
+std::string why_not_written(named_place const& named, std::span<std::uint16_t const> words)
 {
+    cell const value = value_of(named.where, words).value;
+    if (is_invalid(named, words)) {
+        return hex_words(words) + " means that " + named.where.name + " has no value";
+    }
+    if (not named.choices.empty() and choice_of(named, value) == nullptr) {
+        return named.where.name + " takes " + list_of_choices(named);
+    }
+    double const amount = amount_of(value);
+    bool const has_limits = named.lowest or named.highest;
+    bool const is_within = amount >= named.lowest.value_or(amount) and amount <= named.highest.value_or(amount);
+    return has_limits and not is_within ? named.where.name + " takes " + text_of_limits(named) : std::string{};
+}
+
+words_typed words_to_hold(named_place const& named, std::string_view text)
+{
+    place const& where = named.where;
     auto const choice =
         std::ranges::find_if(named.choices, [text](named_choice const& each) { return is_same_word(each.name, text); });
     std::string const number = choice != named.choices.end() ? std::to_string(choice->number) : std::string{text};
     bool const is_word = not named.choices.empty() and choice == named.choices.end() and why_no_word(text).empty();
-    if (is_word and not named.where.is_single_bit()) {
+    if (is_word and not where.is_single_bit()) {
         std::vector<std::string_view> known;
         for (named_choice const& each : named.choices) {
             known.push_back(each.name);
         }
-        return {.wrong = named.where.name + " takes " + list_of_choices(named) + suggestion(text, known)};
+        return {.wrong = where.name + " takes " + list_of_choices(named) + suggestion(text, known)};
     }
-    words_typed typed = words_for(named.where, number);
-    if (std::string why = typed.wrong.empty() ? why_not(named, typed.words) : std::string{}; not why.empty()) {
+    return words_for(where, number);
+}
+
+words_typed words_for(named_place const& named, std::string_view text)
+{
+    words_typed typed = words_to_hold(named, text);
+    if (std::string why = typed.wrong.empty() ? why_not_written(named, typed.words) : std::string{}; not why.empty()) {
         return {.wrong = std::move(why)};
     }
     return typed;

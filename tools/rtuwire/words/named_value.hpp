@@ -19,6 +19,12 @@ namespace tool {
 /// The words of a value that is typed, or of the name of a choice. Or why it is none that may be written.
 [[nodiscard]] words_typed words_for(named_place const& named, std::string_view text);
 
+/// Why words are never written there; empty where they are.
+[[nodiscard]] std::string why_not_written(named_place const& named, std::span<std::uint16_t const> words);
+
+/// The words of a value, whether or not it may be written; of some bits of a register these at their place.
+[[nodiscard]] words_typed words_to_hold(named_place const& named, std::string_view text);
+
 /// "off 0, heat 1".
 [[nodiscard]] std::string list_of_choices(named_place const& named);
 
