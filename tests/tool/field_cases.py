@@ -102,6 +102,10 @@ def check_formats(tool, check):
     with UnitOnLine(lambda request: good(request)[:-1] + b"!") as line:
         ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.5, "-u", 9, "read", "0x0102")
         check("CRC mismatch: 7 bytes came: 09 03 02 01 02" in ended.output, "a damaged one is shown as well", ended)
+    with UnitOnLine(lambda request: with_crc(bytes([request[0], request[1] | 0x80, 1]))) as line:
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.5, "-u", 9, "read", "1000:f32", "coil:3")
+        check(ended.status == DIFFERS and "exception 0x01); input:1000 asks by function 04" in ended.output
+              and ended.output.count("asks by") == 1, "a unit without holding registers", ended)
 
 
 def in_pieces(size, pause):

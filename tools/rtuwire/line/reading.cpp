@@ -39,6 +39,14 @@ void explain(reading& it, chosen_register const& which, std::uint16_t word, regi
 /// Whether the drive's table says what it is: a form that was typed goes before.
 bool is_named(chosen_register const& which) { return which.entry != nullptr and which.where.form.said.empty(); }
 
+/// A unit without function 03 may have what was meant as input registers.
+std::string hint_at_inputs(chosen_register const& which, rtuwire::errc why)
+{
+    bool const may_be_input = why == rtuwire::errc::illegal_function and which.entry == nullptr and
+                              which.where.space == register_space::holding;
+    return may_be_input ? "; input:" + std::to_string(which.where.address) + " asks by function 04" : std::string{};
+}
+
 } // namespace
 
 std::string hint_at_list(chosen_register const& which, rtuwire::errc why)
@@ -71,7 +79,7 @@ reading reading_of(chosen_register const& which, register_reader const& from, dr
     held_words const& held = from.held(where);
     reading it{label_of(which), held.why == rtuwire::errc::none, {}, {}, {}, held.failure};
     if (not it.is_read) {
-        it.text += hint_at_list(which, held.why);
+        it.text += hint_at_list(which, held.why) + hint_at_inputs(which, held.why);
         return it;
     }
     it.raw = held.words.size() == 1 ? cell{std::int64_t{held.words[0]}} : cell{hex_words(held.words)};
