@@ -2,19 +2,25 @@
 # SPDX-License-Identifier: BSL-1.0
 """Runs `rtuwire monitor` on terminals of this test, against simulated drives.
 
-    python3 monitor.py TOOL SIMULATE screen|alarms|refused_state|keys|reads|ways_out|refusals
+    python3 monitor.py TOOL screen|alarms|refused_state|keys|beside|reads|ways_out|refusals
 """
 import os
+import pathlib
 import signal
 import statistics
 import subprocess
+import sys
+import tempfile
 import time
 
+import meter_beside
 from line_between import LineBetween
+from meter_beside import METER_FILE, SharedLine
+from pair import Programs
 from screen import Screen
 from support import LIMIT, Simulator, Units, runs
 
-KEYS = "q quit   up/down drive   p pause   +/- period   ? help"
+KEYS = "q quit  up/down unit  </> value  g plot  c changed  t times  p pause  "
 SIM = "sim:atv320:7,atv12:3,atv28:4"
 NAMES = ["--name", "fan=7:atv320", "--name", "pump=3", "--name", "mixer=4:atv28"]
 DOWN, UP = "\x1bOB", "\x1bOA"  # as TERM says
@@ -24,10 +30,14 @@ def monitor(tool, port, *words):
     return [tool, "--port", port, "--no-listen", *words]
 
 
+def keys_of(width):
+    return KEYS + ("b bell  +/- period  ? help" if width >= 100 else "? help")
+
+
 def check_whole(screen, check, width, height):
     """What every page has; pyte would wrap a line that is too long onto the next, so that the last is not the keys."""
     what = f"{width}x{height}"
-    check(screen.until(lambda: screen.lines[-1] == KEYS), f"{what}: the keys are the last line", screen.text)
+    check(screen.until(lambda: screen.lines[-1] == keys_of(width)), f"{what}: the keys are the last line", screen.text)
     check(len(screen.lines) == height and all(len(each) <= width for each in screen.lines), f"{what}: it fits")
     curve = r" +▁" if width > 100 else r"$"
     for name, start in (("fan", "7 +atv320"), ("pump", "3 +atv12"), ("mixer", "4 +atv28")):
@@ -39,7 +49,7 @@ def check_whole(screen, check, width, height):
 def screen(tool, check):
     with Screen(monitor(tool, SIM, *NAMES, "monitor", "--every", "100ms")) as page:
         check_whole(page, check, 80, 24)
-        check(page.until_shown(r"^fan: unit 7, atv320, switch on disabled$"), "the first is chosen")
+        check(page.until_shown(r"^fan: unit 7, atv320, switch on disabled +\d+\.\d ms"), "the first is chosen")
         check(page.until_shown(r"^ RFR +Output frequency +0\.0 Hz +▁▁▁"), "a value and its curve", page.text)
         check(page.until_shown(r"^ ULN +Mains voltage from the DC bus +400\.0 V +▁▁▁"), "another", page.text)
         check(not page.until_shown("alarm", 0.2), "no alarm", page.text)
@@ -126,6 +136,59 @@ def keys(tool, check):
         check(page.end() == 0 and page.is_restored(), "q", page.raw[-80:])
 
 
+def has_dots(page):
+    return any(0x2801 <= ord(each) <= 0x28FF for each in page.text)
+
+
+def beside(tool, check):
+    """A drive beside a meter of pymodbus with a register file: plots, alarms, times, and what has changed."""
+    with tempfile.TemporaryDirectory(prefix="beside-") as folder, Programs() as others, Simulator(tool, "atv320:7") as drive:
+        (file := pathlib.Path(folder, "meter.toml")).write_text(METER_FILE)
+        far, near = others.line()
+        others.serve(far, [sys.executable, "-B", meter_beside.__file__, "--serve", "@"], stderr=subprocess.DEVNULL)
+        with SharedLine(drive, near) as line:
+            words = monitor(tool, line.name, "--name", "fan=7:atv320", "--name", f"meter=61:{file}", "monitor", "--every", "100ms")
+            with Screen([*words, "--plot", "voltage", "--alarm", "ULN@fan=..390V", "--alarm", "power=1000..2000W"]) as page:
+                check(page.until_shown(r"^ meter +61 +responds +\d+\.\d+ V$"), "a device by its register file", page.text)
+                check(page.until_shown(r"^ fan +7 +atv320 +switch on disabled, ULN above 390 V"), "a value outside", page.text)
+                check(page.until_shown(r"^ULN is 400\.0 V: above 390 V$") and page.is_red("above 390 V"), "is an alarm, red", page.text)
+                check(page.until(lambda: page.is_red("400.0 V")) and page.until_shown("1 alarm "), "and counted", page.text)
+                check(b"\x07" not in page.raw, "without a bell")
+                check(page.until_shown(r"^ voltage@meter +\d+\.\d+ V .*the last \d+ s$"), "a plot that was asked for", page.text)
+                check(page.until(lambda: has_dots(page)), "in dots of braille", page.text)
+                page.type(DOWN)
+                check(page.until_shown(r"^meter: unit 61, no drive .*\d+\.\d ms, longest \d+\.\d; 0 of \d+ failed$"),
+                      "its response times", page.text)
+                check(page.until_shown(r"^ energy +1000\.\d+ kWh"), "all of its registers", page.text)
+                page.type(">>")
+                check(page.until_shown(r"^>power "), "> chooses a value", page.text)
+                page.type("g")
+                check(page.until_shown(r"^ power@meter ") and page.until_shown(r"^>power +~"), "g plots it", page.text)
+                page.type("g")
+                check(page.until(lambda: "power@meter" not in page.text), "and ends that", page.text)
+                page.type("t")
+                check(page.until_shown(r"^ meter +61 +(\d+\.\d +){3}\d+ +0 +0 +0$"), "t shows times and errors", page.text)
+                page.type("tc")
+                check(page.until_shown(r"^ voltage@meter +\d+\.\d+ V ") and page.until(lambda: "nothing" not in page.text and " energy " not in page.text),
+                      "c shows what has changed", page.text)
+                page.type("p")
+                check(page.until_shown("PAUSED"), "paused", page.text)
+                page.type("q")
+                check(page.end() == 0 and page.is_restored(), "q", page.raw[-80:])
+            with Screen([*words, "--bell", "--alarm", "ULN=..390V"], LC_ALL="C") as page:
+                check(page.until(lambda: b"\x07" in page.raw), "--bell rings it")
+                page.type("g")
+                check(page.until_shown(r"^ RFR@fan ") and page.text.isascii(), "a plot in ASCII", page.text)
+            for words_of, parts in ((["--alarm", "ULN=390"], ["ULN=390", "LCR=2..8.5A"]), (["--alarm", "ULN=1,5..2"], ["'1,5'"]),
+                                    (["--alarm", "ULN=nan.."], ["'nan'"]), (["--alarm", "ULN=3..2"], ["above"]),
+                                    (["--alarm", "ULNX=3..4"], ["ULNX"]), (["--alarm", "ULN@pump=3..4"], ["'pump'"]),
+                                    (["--alarm", "ULN=1V..2A"], ["V", "A"]), (["--plot", "voltag"], ["voltag", "voltage"])):
+                refused([*words, *words_of], check, words_of[1], *parts)
+            with Screen([*words, "--alarm", "ULN=..390A", "--alarm", "LFT=0..1"]) as page:
+                check(page.until_shown("its limit is in A, and it is in V") and page.until_shown("LFT.*no number"),
+                      "limits that say nothing are alarms", page.text)
+
+
 def reads(tool, check):
     with Units({7: {100: 5, 611: 6}}, ignored=(43,)) as line:
         with Screen(monitor(tool, line.name, "-u", "7", "--timeout", "0.2", "monitor", "100", "611")) as page:
@@ -208,7 +271,7 @@ def refusals(tool, check):
         check(page.end() == 4 and b"\x1b" not in page.raw, "no such port: status 4", page.raw)
 
 
-PARTS = {each.__name__: each for each in (screen, alarms, refused_state, keys, reads, ways_out, refusals)}
+PARTS = {each.__name__: each for each in (screen, alarms, refused_state, keys, beside, reads, ways_out, refusals)}
 
 
 def main(check, tool, part):

@@ -4,10 +4,16 @@
 #include "../../tools/rtuwire/monitor/draw.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "exit_status.hpp"
+
 #include "../../tools/rtuwire/monitor/keys.hpp"
+#include "../../tools/rtuwire/monitor/limits.hpp"
+#include "../../tools/rtuwire/monitor/plot.hpp"
 #include "../../tools/rtuwire/monitor/sparkline.hpp"
 #include "support/catch.hpp"
 
@@ -79,7 +85,7 @@ TEST_CASE("monitor: the screen has the port, the units with their states and val
     CHECK(page.size() == 24);
     CHECK(page.front().text().find("/dev/ttyUSB0  every 0.5 s") != std::string::npos);
     CHECK(page.front().text().ends_with("12:34:56"));
-    CHECK(page.back().text() == "q quit   up/down drive   p pause   +/- period   ? help");
+    CHECK(page.back().text() == "q quit  up/down unit  </> value  g plot  c changed  t times  p pause  ? help");
     for (char const* const each : {"drive1", "drive2", "drive3"}) {
         CHECK(find(page, each).is_there);
     }
@@ -157,16 +163,142 @@ TEST_CASE("monitor: many units are scrolled, so that the chosen one is on the sc
     CHECK(find(draw(shown, 80, 24), "42 to 50 of 50 units").is_there);
 }
 
-TEST_CASE("monitor: values that do not fit are counted")
+TEST_CASE("monitor: values that do not fit are counted, and scrolled so that the chosen one is on the screen")
 {
     shown_screen shown = screen_of(1);
-    shown.units[0].values.resize(40, {"LCR", "Motor current", "1.0 A", false, {}});
-    auto const page = draw(shown, 80, 24);
-    auto const shown_lines = std::count_if(page.begin(), page.end(), [](text_line const& each) {
-        return each.text().find("RFR  ") == 1 or each.text().find("HMIS ") == 1 or each.text().find("LCR ") == 1;
-    });
-    CHECK(find(page, std::to_string(40 - shown_lines) + " more values").is_there);
-    CHECK_FALSE(find(draw(shown, 80, 60), "more values").is_there);
+    for (int i = 0; i < 40; ++i) {
+        shown.units[0].values.push_back({"V" + std::to_string(i), "", "1.0 A", false, {}});
+    }
+    CHECK(find(draw(shown, 80, 24), " of 42 values").is_there);
+    CHECK_FALSE(find(draw(shown, 80, 60), " of 42 values").is_there);
+    for (int i = 0; i < 42; ++i) {
+        apply(key::next_value, shown);
+        std::string const label = shown.units[0].values[static_cast<std::size_t>(i)].label;
+        INFO(label);
+        CHECK(find(draw(shown, 80, 24), '>' + label + ' ').is_there);
+    }
+    apply(key::next_value, shown);
+    CHECK(shown.value == 41);
+    for (int i = 0; i < 50; ++i) {
+        apply(key::value_before, shown);
+    }
+    CHECK(shown.value == shown_screen::no_value);
+}
+
+TEST_CASE("monitor: a value outside of its limits is an alarm of its unit, with the limit in words")
+{
+    shown_screen shown = screen_of(2);
+    shown.units[1].values[0].outside = "above 45 Hz";
+    CHECK(shown.alarms() == 1);
+    auto page = draw(shown, 80, 24);
+    CHECK(find(page, "1 alarm").is_alarm);
+    CHECK(find(page, "RFR above 45 Hz").is_alarm);
+    apply(key::down, shown);
+    page = draw(shown, 80, 24);
+    CHECK(find(page, "RFR is 50.0 Hz: above 45 Hz").is_alarm);
+}
+
+TEST_CASE("monitor: limits are typed as numbers with a unit or without, and what is none is refused")
+{
+    value_limit const both = limit_in("RFR@fan=-4.5..45Hz");
+    CHECK(both.word == "RFR@fan");
+    CHECK((both.lowest == -4.5 and both.highest == 45 and both.unit == "Hz"));
+    CHECK(outside_text(both, 45, "Hz").empty());
+    CHECK(outside_text(both, 45.1, "Hz") == "above 45 Hz");
+    CHECK(outside_text(both, -5, "Hz") == "below -4.5 Hz");
+    CHECK(outside_text(both, 5, "rpm") == "its limit is in Hz, and it is in rpm");
+    CHECK(outside_text(both, 5, "") == "its limit is in Hz, and it is without a unit");
+    CHECK(outside_text(both, NAN, "Hz") == "no number, which its limit is of");
+    CHECK_FALSE(limit_in("a=..1").lowest);
+    CHECK_FALSE(limit_in("input:4:f32=1m3/h..").highest);
+    CHECK(outside_text(limit_in("a=..1"), 2, "V") == "above 1 V");
+    for (std::string const wrong : {"", "a", "=1..2", "a=1", "a=..", "a=2..1", "a=1,5..2", "a=nan..", "a=..inf",
+                                    "a=1V..2A", "a=x..2", "a=1 ..2"}) {
+        INFO(wrong);
+        CHECK_THROWS_AS(limit_in(wrong), ended);
+    }
+}
+
+TEST_CASE("monitor: a plot has its curve between the lowest and the highest, with gaps, in braille or in ASCII")
+{
+    CHECK(plot({0, 1, 2, 3}, 2, 1, true) == std::vector<std::string>{"⡠⠊"});
+    CHECK(plot({0, 3}, 1, 1, true) == std::vector<std::string>{"⡸"});
+    CHECK(plot({3, 3, 3}, 3, 2, true) == std::vector<std::string>{"   ", " ⢀⣀"});
+    CHECK(plot({0, NAN, 3}, 2, 1, true) == std::vector<std::string>{"⢀⠈"});
+    CHECK(plot({0, 1}, 2, 1, false) == std::vector<std::string>{".'"});
+    CHECK(plot({0, 3}, 3, 2, false) == std::vector<std::string>{"  :", " .'"});
+    CHECK(plot({}, 2, 1, true) == std::vector<std::string>{"  "});
+    CHECK(plot({1, 2}, 2, 0, true).empty());
+    CHECK(plot({1, 2}, 0, 1, true) == std::vector<std::string>{""});
+}
+
+TEST_CASE("monitor: plots are chosen by a key, share the room below the values, and are counted where they do not fit")
+{
+    shown_screen shown = screen_of(2);
+    apply(key::plot, shown); // none is chosen: the first with a curve
+    CHECK(find(draw(shown, 80, 24), " RFR@drive1  50.0 Hz").is_there);
+    CHECK(find(draw(shown, 80, 24), "      50│ ").is_there);
+    CHECK(find(draw(shown, 80, 24), "       0│ ").is_there);
+    CHECK(find(draw(shown, 80, 24), " RFR       ~").is_there);
+    apply(key::down, shown);
+    apply(key::plot, shown);
+    CHECK(find(draw(shown, 80, 24), " RFR@drive1").is_there);
+    CHECK(find(draw(shown, 80, 24), " RFR@drive2").is_there);
+    apply(key::plot, shown);
+    CHECK_FALSE(find(draw(shown, 80, 24), " RFR@drive2").is_there);
+    shown.units[0].values[0].samples = {7, 7};
+    CHECK(find(draw(shown, 80, 24), "       7│ ").is_there);
+    for (shown_unit& each : shown.units) {
+        for (int i = 0; i < 4; ++i) {
+            each.values.push_back({"V" + std::to_string(i), "", "1", false, {1, 2}});
+            each.values.back().is_plotted = true;
+        }
+    }
+    for (std::size_t const width : {80U, 120U}) {
+        for (std::size_t const height : {24U, 25U, 31U, 60U, 200U}) {
+            check_fits(shown, width, height);
+        }
+    }
+    CHECK(find(draw(shown, 80, 24), "plots that need a higher terminal: ").is_there);
+    CHECK_FALSE(find(draw(shown, 80, 60), "plots that need").is_there);
+}
+
+TEST_CASE("monitor: what has changed is shown of all units, fades, and goes")
+{
+    shown_screen shown = screen_of(2);
+    apply(key::changed, shown);
+    CHECK(find(draw(shown, 80, 24), "nothing has changed for 10 s").is_there);
+    shown_value& value = shown.units[1].values[0];
+    auto const how = [&shown] {
+        for (text_line const& each : draw(shown, 80, 24)) {
+            if (each.text().starts_with(" RFR@drive2")) {
+                return std::optional{each.pieces().front().how};
+            }
+        }
+        return std::optional<look>{};
+    };
+    value.unchanged = 0.5;
+    CHECK(how() == look::strong);
+    value.unchanged = 3;
+    CHECK(how() == look::plain);
+    value.unchanged = 7;
+    CHECK(how() == look::faint);
+    value.outside = "above 45 Hz";
+    CHECK(how() == look::alarm);
+    value.unchanged = 10;
+    CHECK_FALSE(how());
+}
+
+TEST_CASE("monitor: response times and errors of each unit")
+{
+    shown_screen shown = screen_of(2);
+    shown.units[0].counts = {
+        .asked = 12, .silent = 1, .refused = 2, .damaged = 3, .last = 8.25, .longest = 24.1, .sum = 80};
+    CHECK(find(draw(shown, 80, 24), "8.2 ms, longest 24.1; 6 of 12 failed").is_there);
+    apply(key::times, shown);
+    CHECK(find(draw(shown, 80, 24), "      8.2    10.0     24.1       12       1        2        3").is_there);
+    apply(key::times, shown);
+    CHECK(find(draw(shown, 80, 24), "operation enabled").is_there);
 }
 
 TEST_CASE("monitor: the help says what reads do to a drive's own time-out")

@@ -56,6 +56,12 @@ struct scan_choices {
     std::string resume_file{};
 };
 
+struct monitor_choices {
+    std::vector<std::string> plots{};  ///< "RFR@fan"
+    std::vector<std::string> alarms{}; ///< "LCR=..8.5A"
+    bool has_bell{false};
+};
+
 struct motion_choices {
     std::string speed{};     ///< "1200rpm"
     std::string frequency{}; ///< "40Hz"
@@ -81,6 +87,7 @@ struct choices {
     line_choices line{};
     permissions allowed{};
     scan_choices scan{};
+    monitor_choices monitor{};
     motion_choices motion{};
     restore_choices restore{};
 

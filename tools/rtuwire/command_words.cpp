@@ -166,9 +166,17 @@ void add_reading(CLI::App& app, choices& chosen)
     add_places(watch, chosen, true);
     add_period(watch, chosen);
     add_time_limit(watch, chosen);
-    CLI::App& monitor = add_command(app, chosen, "monitor", "several drives on a full screen");
+    CLI::App& monitor = add_command(app, chosen, "monitor", "several units on a full screen");
     add_places(monitor, chosen, false);
     add_period(monitor, chosen);
+    monitor
+        .add_option("--plot", chosen.monitor.plots, "registers whose curves are shown large: RFR, RFR@fan,power@meter")
+        ->allow_extra_args(false);
+    monitor
+        .add_option("--alarm", chosen.monitor.alarms,
+                    "limits of a value, which is an alarm outside of them: LCR@fan=..8.5A, power=10..2000")
+        ->allow_extra_args(false);
+    monitor.add_flag("--bell", chosen.monitor.has_bell, "ring the terminal's bell at each new alarm");
     CLI::App& list = add_command(app, chosen, "list", "the registers of a drive, or the drives");
     add_operands(list, chosen, "PATTERN", "mnemonics, globs, groups, addresses, numbers of an ATV310's menu");
     list.add_option("--search", chosen.search, "a word in the registers' names, values or bits, or a menu number");

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Several drives on a full screen. It only reads.
+// Several units on a full screen. It only reads.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "commands/commands.hpp"
@@ -16,6 +18,7 @@
 #include "line/line_words.hpp"
 #include "line/time_text.hpp"
 #include "monitor/draw.hpp"
+#include "monitor/limits.hpp"
 #include "monitor/line_thread.hpp"
 #include "monitor/terminal.hpp"
 
@@ -82,21 +85,61 @@ std::unique_ptr<open_line> open(line_choices line)
     return std::make_unique<open_line>(line);
 }
 
+/// A word without a unit behind it that another one is known to have is none of a unit that lacks it.
+bool is_of_another(named_unit const& unit, std::string const& word, std::vector<named_unit> const& units)
+{
+    return not is_known_to(unit, word) and
+           std::ranges::any_of(units, [&word](named_unit const& each) { return is_known_to(each, word); });
+}
+
+/// The words that mean this unit.
+std::vector<std::string> own_words(named_unit const& unit, std::vector<std::string> const& typed,
+                                   std::vector<named_unit> const& units)
+{
+    std::vector<std::string> words = words_for(unit, typed, units);
+    std::erase_if(words, [&](std::string const& word) { return is_of_another(unit, word, units); });
+    return words;
+}
+
+std::vector<value_limit> limits_of(named_unit const& unit, std::vector<std::string> const& typed,
+                                   std::vector<named_unit> const& units)
+{
+    std::vector<value_limit> all;
+    for (std::string const& each : typed) {
+        value_limit limit = limit_in(each);
+        for (std::string const& word : own_words(unit, {limit.word}, units)) {
+            limit.word = word;
+            all.push_back(limit);
+        }
+    }
+    return all;
+}
+
 std::vector<unit_reader> readers(choices const& chosen)
 {
     std::vector<named_unit> const units = units_watched(chosen.line);
-    check_register_words(chosen.words, units);
+    monitor_choices const& how = chosen.monitor;
+    std::vector<std::string> words = chosen.words;
+    words.insert(words.end(), how.plots.begin(), how.plots.end());
+    std::ranges::transform(how.alarms, std::back_inserter(words),
+                           [](std::string const& each) { return limit_in(each).word; });
+    check_register_words(words, units);
     std::vector<unit_reader> all;
     for (named_unit const& each : units) {
-        all.emplace_back(each, words_for(each, chosen.words, units), chosen.line.retries + 1);
+        all.emplace_back(unit_wish{.unit = each,
+                                   .words = words_for(each, chosen.words, units),
+                                   .plots = own_words(each, how.plots, units),
+                                   .limits = limits_of(each, how.alarms, units),
+                                   .misses = chosen.line.retries + 1});
     }
     return all;
 }
 
 class monitoring {
 public:
-    explicit monitoring(line_thread& line, double period) : line_{line}
+    explicit monitoring(line_thread& line, double period, bool has_bell) : line_{line}
     {
+        shown_.has_bell = has_bell;
         shown_.port = line.device();
         shown_.period = period;
     }
@@ -117,6 +160,10 @@ public:
             line_.set_period(shown_.period);
             line_.set_paused(shown_.is_paused);
             refresh();
+            if (std::size_t const now = shown_.alarms(); now != alarms_) {
+                bool const is_new = now > std::exchange(alarms_, now);
+                is_new and shown_.has_bell ? full_screen::ring() : void();
+            }
             screen.show(draw(shown_, screen.width(), screen.height()));
             if (not shown_.failure.empty()) {
                 throw ended{exit_status::port, shown_.failure};
@@ -137,6 +184,7 @@ private:
 
     line_thread& line_;
     shown_screen shown_{};
+    std::size_t alarms_{0};
 };
 
 } // namespace
@@ -148,7 +196,7 @@ exit_status run_monitor(choices const& chosen)
     note_signals();
     double const period = chosen.every.value_or(usual_period);
     line_thread line{open(chosen.line), std::move(units), period};
-    return monitoring{line, period}.run();
+    return monitoring{line, period, chosen.monitor.has_bell}.run();
 }
 
 } // namespace tool

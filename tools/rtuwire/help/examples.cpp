@@ -15,7 +15,7 @@ constexpr std::pair<std::string_view, std::string_view> examples[] = {
     {"map", "rtuwire -p /dev/ttyUSB0 -u 61 map input:0-1999 --resume meter.map"},
     {"read", "rtuwire -p /dev/ttyUSB0 -u 7 read RFR 'DP*' @monitor 3202"},
     {"watch", "rtuwire -p /dev/ttyUSB0 -u 7 --csv watch RFR LCR --every 200ms --for 8h > night.csv"},
-    {"monitor", "rtuwire -p /dev/ttyUSB0 --name fan=7 --name pump=3 monitor"},
+    {"monitor", "rtuwire -p /dev/ttyUSB0 --name fan=7 --name meter=61:meter.toml monitor --plot RFR"},
     {"list", "rtuwire list --drive atv320 --search ramp"},
     {"explain", "rtuwire explain ACC --drive atv320"},
     {"faults", "rtuwire -p /dev/ttyUSB0 -u 7 faults"},

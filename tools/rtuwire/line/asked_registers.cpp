@@ -182,6 +182,11 @@ void check_register_words(std::vector<std::string> const& words, std::vector<nam
     refuse_first(wrong);
 }
 
+bool is_known_to(named_unit const& unit, std::string const& word)
+{
+    return not unit.drive.empty() and not why_unknown(unit, word);
+}
+
 void tell_left_out(std::vector<asked_registers> const& all)
 {
     for (asked_registers const& each : all) {

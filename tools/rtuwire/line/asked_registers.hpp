@@ -32,6 +32,9 @@ std::vector<asked_registers> registers_asked(std::vector<std::string> const& wor
 /// drive.
 void check_register_words(std::vector<std::string> const& words, std::vector<named_unit> const& units);
 
+/// Whether a word means something on a unit of which somebody said what it is.
+bool is_known_to(named_unit const& unit, std::string const& word);
+
 /// Says on standard error which of several units are not read, and which words are not asked of whom.
 void tell_left_out(std::vector<asked_registers> const& all);
 

@@ -79,6 +79,22 @@ open_line::open_line(line_choices const& chosen, line_setting const& how)
     }
 }
 
+void open_line::note(rtuwire::errc outcome, std::chrono::duration<double, std::milli> took)
+{
+    if (counts_ == nullptr) {
+        return;
+    }
+    ++counts_->asked;
+    bool const is_refused = rtuwire::is_exception(outcome);
+    bool const is_silent = status_of(outcome) == exit_status::no_answer;
+    counts_->refused += is_refused ? 1U : 0U;
+    counts_->silent += is_silent ? 1U : 0U;
+    counts_->damaged += outcome != rtuwire::errc::none and not is_refused and not is_silent ? 1U : 0U;
+    if (outcome == rtuwire::errc::none or is_refused) {
+        counts_->note_response(took.count());
+    }
+}
+
 std::string open_line::words_of_failure(rtuwire::errc why) const
 {
     using rtuwire::errc;

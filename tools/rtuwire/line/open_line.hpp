@@ -3,6 +3,7 @@
 // A line that is open, and a client on it.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 
 #include "choices.hpp"
 #include "exit_status.hpp"
+#include "line/exchange_counts.hpp"
 #include "port/any_port.hpp"
 
 namespace tool {
@@ -46,8 +48,14 @@ public:
     }
     template <typename To, typename Request> auto ask(To to, Request const& request)
     {
-        return client_.ask(to, request);
+        auto const began = std::chrono::steady_clock::now();
+        auto outcome = client_.ask(to, request);
+        note(outcome.error(), std::chrono::steady_clock::now() - began);
+        return outcome;
     }
+
+    /// From here on requests are counted there; null ends it.
+    void count_in(exchange_counts* counts) { counts_ = counts; }
 
     /// Why the last request failed, with the frame that was refused: "right CRC, wrong length: the unit departs from the
     /// function's format: 6 bytes came, 5 are due: 01 83 02 00 F1 50".
@@ -56,9 +64,12 @@ public:
     rtuwire::byte_view refused() const;
 
 private:
+    void note(rtuwire::errc outcome, std::chrono::duration<double, std::milli> took);
+
     any_port port_;
     rtuwire::client_options options_;
     rtuwire::blocking_client<any_port> client_;
+    exchange_counts* counts_{nullptr};
 };
 
 /// What an error means for whoever called the program: silence is `no_answer`, a wrong answer is `differs`.

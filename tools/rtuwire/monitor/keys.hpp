@@ -7,7 +7,24 @@
 
 namespace tool {
 
-enum class key { none, up, down, pause, help, longer, shorter, redraw, quit, gone };
+enum class key {
+    none,
+    up,
+    down,
+    next_value,
+    value_before,
+    plot,
+    changed,
+    times,
+    bell,
+    pause,
+    help,
+    longer,
+    shorter,
+    redraw,
+    quit,
+    gone
+};
 
 /// Changes what is shown; a key that leaves everything as it is, at an end of the list too, changes nothing.
 void apply(key pressed, shown_screen& shown);

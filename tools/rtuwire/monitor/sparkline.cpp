@@ -25,18 +25,22 @@ std::size_t height_of(double sample, double lowest, double highest)
 
 } // namespace
 
+sample_range range_of(std::deque<double>::const_iterator first, std::deque<double>::const_iterator end)
+{
+    sample_range range{HUGE_VAL, -HUGE_VAL};
+    for (auto each = first; each != end; ++each) {
+        if (std::isfinite(*each)) {
+            range = {std::min(range.lowest, *each), std::max(range.highest, *each)};
+        }
+    }
+    return range;
+}
+
 std::string sparkline(std::deque<double> const& samples, std::size_t width, bool has_blocks)
 {
     std::size_t const count = std::min(samples.size(), width);
     auto const first = samples.end() - static_cast<std::ptrdiff_t>(count);
-    double lowest = HUGE_VAL;
-    double highest = -HUGE_VAL;
-    for (auto each = first; each != samples.end(); ++each) {
-        if (std::isfinite(*each)) {
-            lowest = std::min(lowest, *each);
-            highest = std::max(highest, *each);
-        }
-    }
+    auto const [lowest, highest] = range_of(first, samples.end());
     std::string line(width - count, ' ');
     for (auto each = first; each != samples.end(); ++each) {
         std::size_t const height = height_of(*each, lowest, highest);

@@ -19,6 +19,7 @@
 #include <term.h>
 #undef lines
 #undef columns
+#undef bell
 
 #include "exit_status.hpp"
 
@@ -33,6 +34,8 @@ key key_of_code(wint_t code)
     switch (code) {
     case KEY_UP: return key::up;
     case KEY_DOWN: return key::down;
+    case KEY_RIGHT: return key::next_value;
+    case KEY_LEFT: return key::value_before;
     case KEY_RESIZE: return key::redraw;
     default: return key::none;
     }
@@ -43,6 +46,12 @@ key key_of_letter(wint_t letter)
     switch (letter) {
     case L'k': return key::up;
     case L'j': return key::down;
+    case L'>': return key::next_value;
+    case L'<': return key::value_before;
+    case L'g': return key::plot;
+    case L'c': return key::changed;
+    case L't': return key::times;
+    case L'b': return key::bell;
     case L'p': return key::pause;
     case L'?':
     case L'h': return key::help;
@@ -151,6 +160,8 @@ void full_screen::show(std::vector<text_line> const& lines)
     }
     ::refresh();
 }
+
+void full_screen::ring() { ::beep(); }
 
 key full_screen::next_key(std::chrono::milliseconds limit)
 {

@@ -29,6 +29,8 @@ public:
     bool has_blocks() const { return has_utf8_; }
 
     void show(std::vector<text_line> const& lines);
+    /// The terminal's bell.
+    static void ring();
 
     /// The next key; `none` behind the time limit, and at once where a signal came; `gone` where the terminal is.
     /// A change of the terminal's size is a `redraw`.
