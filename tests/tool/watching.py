@@ -103,6 +103,13 @@ def check_units(tool, check):
         named = ["--name", "main=61:meter.toml", "--name", "sub=62:other.toml"]
         ended = tool.run(*several(line, "main,sub"), *named, "--csv", "watch", "power", "load", *briefly)
         check(ended.rows()[0]["power@main"] == "230" and ended.rows()[0]["load@sub"] == "231", "each name its register file", ended)
+        devices = tool.place / ".local" / "share" / "rtuwire" / "devices"
+        devices.mkdir(parents=True)
+        for name in ("pm9", "atv320"):
+            (devices / f"{name}.toml").write_text(METER)
+        ended = tool.run(*several(line, "fan,main"), "--name", "main=61:pm9", "--csv", "watch", "RFR", "power", *briefly)
+        check(ended.status == DONE and ended.rows()[0]["power@main"] == "230" and ended.rows()[0]["RFR@fan"] == "40",
+              "a register file by its name; a drive's name is the drive", ended)
         found = tool.run(*several(line, "fan,61"), "--device", "meter.toml", "--json", "read", "RFR", "power").objects()
         check([(each["unit"], each["register"]) for each in found] == [(7, "RFR"), (61, "power")], "read does the same", found)
         asked = len(line.requests)

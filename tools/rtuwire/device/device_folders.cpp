@@ -57,17 +57,28 @@ std::vector<std::string> names_in(fs::path const& folder)
 
 } // namespace
 
-std::string path_of_device(std::string const& word)
+std::optional<std::string> device_file_named(std::string const& word)
 {
-    if (word.find_first_of("./") != word.npos) {
-        return word;
-    }
-    std::vector<std::string> known;
     for (fs::path const& folder : device_folders()) {
         std::vector<std::string> const names = names_in(folder);
         if (std::ranges::count(names, word) != 0) {
             return (folder / (word + ".toml")).string();
         }
+    }
+    return std::nullopt;
+}
+
+std::string path_of_device(std::string const& word)
+{
+    if (word.find_first_of("./") != word.npos) {
+        return word;
+    }
+    if (auto const found = device_file_named(word)) {
+        return *found;
+    }
+    std::vector<std::string> known;
+    for (fs::path const& folder : device_folders()) {
+        std::vector<std::string> const names = names_in(folder);
         known.insert(known.end(), names.begin(), names.end());
     }
     std::ranges::sort(known);

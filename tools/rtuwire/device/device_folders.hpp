@@ -3,9 +3,13 @@
 // Register files by their names: those of a user, and those that come with the program.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace tool {
+
+/// The register file of that name in a folder; nothing where there is none.
+[[nodiscard]] std::optional<std::string> device_file_named(std::string const& word);
 
 /// The path of a register file. A word with a point or a slash is one; else it is the name of a file of a folder, without
 /// ".toml". Refuses a name that no folder has, with the nearest.

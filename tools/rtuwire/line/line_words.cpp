@@ -11,6 +11,8 @@
 
 #include <rtuwire/port.hpp>
 
+#include "catalog/catalog.hpp"
+#include "device/device_folders.hpp"
 #include "device/register_file.hpp"
 #include "exit_status.hpp"
 #include "words/suggestion.hpp"
@@ -119,7 +121,11 @@ std::vector<std::uint8_t> units_in(std::string const& word)
     return {units.begin(), units.end()};
 }
 
-bool is_register_file(std::string_view type) { return type.ends_with(".toml"); }
+bool is_register_file(std::string_view type)
+{
+    bool const is_drive = type.empty() or type == "none" or catalog_named(type) != nullptr;
+    return type.ends_with(".toml") or (not is_drive and device_file_named(std::string{type}).has_value());
+}
 
 std::vector<named_unit> names_in(line_choices const& line)
 {

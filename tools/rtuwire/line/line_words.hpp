@@ -38,7 +38,8 @@ named_unit unit_in(line_choices const& line);
 /// The same for what writes to a unit, or runs its motor: refuses where nobody said which.
 named_unit unit_to_change(choices const& chosen);
 
-/// Whether the type that --name says is a register file: "meter=61:meter.toml".
+/// Whether the type that --name says is a register file, or the name of one: "meter=61:meter.toml", "meter=61:sdm630". The name
+/// of a drive is that drive.
 bool is_register_file(std::string_view type);
 
 /// All that --name names. Refuses a name for two units, and two types for one unit.
