@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A register that has an object, by its mnemonic: it would be two registers.
-// EXPECT: or one that has a name of its own, as atv320::acc
+// EXPECT: or a register that has a name of its own, as atv320::acc
 #include <rtuwire/altivar/atv12_parameters.hpp>
 #include <rtuwire/ask/access.hpp>
 

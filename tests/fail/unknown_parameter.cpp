@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A parameter by a mnemonic that this drive does not have.
-// EXPECT: this drive has no parameter of this mnemonic
+// EXPECT: this device has no row of this mnemonic
 #include <rtuwire/altivar/atv12_parameters.hpp>
 #include <rtuwire/ask/access.hpp>
 

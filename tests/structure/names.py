@@ -24,7 +24,7 @@ LEFT_OUT = {"engine-rules.md", "size-notes.md"}
 MAIN_DOORS = ("client.hpp", "server.hpp", "drives.hpp", "sim.hpp", "port.hpp")
 EVERY_DOOR = "Every door"
 # Namespaces with public names; those of one drive are public by its manual, all others are internal.
-SPACES = {"rtuwire", "rtuwire::altivar", "rtuwire::altivar::roles", "rtuwire::cia402", "rtuwire::sim", "rtuwire::units", "rtuwire::literals"}
+SPACES = {"rtuwire", "rtuwire::altivar", "rtuwire::altivar::roles", "rtuwire::row_words", "rtuwire::cia402", "rtuwire::sim", "rtuwire::units", "rtuwire::literals"}
 OF_A_DRIVE = re.compile(r"rtuwire::altivar::(atv\d+\w*|compact)\b")
 # Here a comment may say that a name is internal; everywhere else it stands in rtuwire::detail.
 BY_COMMENT = "altivar/"

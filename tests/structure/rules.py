@@ -33,7 +33,7 @@ MAY_INCLUDE = {
 UMBRELLA = "rtuwire.hpp"
 # A thousand registers, which only a program that asks for them compiles, and what is done with all of them: these rooms,
 # and the doors to them.
-APART = re.compile(r"altivar/(parameters/|maintenance/|\w+_parameters\.hpp$)|maintenance\.hpp$")
+APART = re.compile(r"altivar/(parameters/|maintenance/|\w+_parameters\.hpp$)|table/row|rows\.hpp$|maintenance\.hpp$")
 # Functions that only a program reads that asks for them: behind none of these doors.
 ASKED_FOR, DOORS_WITHOUT = "wire/serial_line/", ("client.hpp", "frames.hpp")
 # The doors of the port need an operating system, or the streams that come with one.

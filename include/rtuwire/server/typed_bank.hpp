@@ -545,5 +545,9 @@ private:
         discrete_inputs_{};
 };
 
+/// A bank of all registers of a device.
+template <typename Device>
+using bank_of = typename detail::all_registers<typename Device::registers>::template with<bank>;
+
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

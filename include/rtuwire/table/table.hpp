@@ -266,6 +266,9 @@ public:
     template <auto const& R>
     static constexpr bool contains = index.holds({R.address, R.space, &R, R.counted_as, R.is_restepped});
 
+    /// All of them, and more, as the arguments of a template.
+    template <template <auto const&...> typename List, auto const&... More> using with = List<Registers..., More...>;
+
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit)
     {
@@ -285,7 +288,27 @@ private:
                                                        detail::register_at<namesake.second, Registers...>()>) > 0);
 };
 
+/// No register: the objects of a device that has only rows.
+template <> class table<> {
+public:
+    static constexpr std::size_t size = 0;
+
+    [[nodiscard]] static constexpr bool has_address(std::uint16_t, register_space = register_space::holding) noexcept
+    {
+        return false;
+    }
+    template <auto const&> static constexpr bool contains = false;
+    template <template <auto const&...> typename List, auto const&... More> using with = List<More...>;
+    template <auto const&...> [[nodiscard]] static constexpr bool holds_all() noexcept { return false; }
+    template <typename Visit> static constexpr void for_each(Visit&&) noexcept {}
+};
+
 namespace detail {
+
+/// All registers of a table, as the arguments of a template: `with<bank>`. Rows are made registers: table/row_table.hpp.
+template <typename Table> struct all_registers {
+    template <template <auto const&...> typename List> using with = typename Table::template with<List>;
+};
 
 /// The first and the last of the words that one request has to read, in one space.
 struct key_range {

@@ -70,7 +70,7 @@ register_entry entry_of_row(rtuwire::altivar::parameter const& row, std::vector<
     if (found != types.end()) {
         return entry_of(row, *found);
     }
-    bool const is_of_bits = type->kind == rtuwire::altivar::parameter_kind::bits;
+    bool const is_of_bits = type->kind == rtuwire::parameter_kind::bits;
     return entry_of(
         row, {.type = type,
               .has_meanings = true,

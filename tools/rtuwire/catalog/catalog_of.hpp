@@ -47,7 +47,7 @@ inline constexpr std::array<std::string_view, 16> no_bit_names{};
 
 /// What the rows of a type leave to the library: whether its texts have the meanings, and the identifiers of its bits.
 struct type_names {
-    rtuwire::altivar::parameter_type const* type;
+    rtuwire::parameter_type const* type;
     bool has_meanings{false};
     std::span<std::string_view const, 16> bits{no_bit_names};
 };
@@ -55,9 +55,9 @@ struct type_names {
 template <typename T> [[nodiscard]] constexpr type_names names_in_type() noexcept
 {
     if constexpr (rtuwire::bit_field<T>) {
-        return {.type = &rtuwire::altivar::in<T>, .bits = bit_names<typename T::bit_type>};
+        return {.type = &rtuwire::in<T>, .bits = bit_names<typename T::bit_type>};
     } else {
-        return {.type = &rtuwire::altivar::in<T>, .has_meanings = rtuwire::meanings<T>.size() != 0};
+        return {.type = &rtuwire::in<T>, .has_meanings = rtuwire::meanings<T>.size() != 0};
     }
 }
 

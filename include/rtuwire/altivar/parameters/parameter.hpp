@@ -13,117 +13,20 @@
 // register sets the size of its steps.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <type_traits>
 
 #include <rtuwire/altivar/parameters/parameter_role.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/register.hpp>
+#include <rtuwire/table/row.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
-
-/// What the word of a parameter is.
-enum class parameter_kind : std::uint8_t { number, signed_number, bits, enumeration };
-
-/// What a parameter holds, once for all that hold the same.
-struct parameter_type {
-    parameter_kind kind;
-    literal unit{};                 ///< symbol of what is measured, "Hz"; empty where nothing is
-    std::int32_t step_numerator{1}; ///< one count is this fraction of the unit
-    std::int32_t step_denominator{1};
-    std::span<choice const> choices{}; ///< the values of an enumeration, or the bits of a word by number
-};
-
-/// What the values of an enumeration, or the bits of a word, mean; specialised where the list for driving has no words.
-/// Internal.
-template <typename Enum> inline constexpr auto const& words_of = meanings<Enum>;
-
-/// The values of an enumeration that has a type, or the bits of such a word, as choices.
-/// Internal.
-template <typename Enum>
-inline constexpr auto choices_of = [] {
-    constexpr bool has_mnemonics = enumerators<Enum>.size() != 0;
-    std::array<choice, has_mnemonics ? enumerators<Enum>.size() : words_of<Enum>.size()> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if constexpr (has_mnemonics) {
-            named_value const& each = enumerators<Enum>[i];
-            all[i] = {each.value, each.name, detail::listed_name(words_of<Enum>, each.value)};
-        } else {
-            all[i] = {words_of<Enum>[i].value, {}, words_of<Enum>[i].name};
-        }
-    }
-    return all;
-}();
-
-/// Internal.
-template <detail::register_value T> [[nodiscard]] consteval parameter_type type_of() noexcept
-{
-    if constexpr (bit_field<T>) {
-        return {.kind = parameter_kind::bits, .choices = choices_of<typename T::bit_type>};
-    } else if constexpr (register_enumeration<T>) {
-        return {.kind = parameter_kind::enumeration, .choices = choices_of<T>};
-    } else {
-        return {.kind = std::is_signed_v<typename T::rep> ? parameter_kind::signed_number : parameter_kind::number,
-                .unit = T::dimension::symbol,
-                .step_numerator = T::scale::num,
-                .step_denominator = T::scale::den};
-    }
-}
-
-/// What a row holds whose values have a type: `in<deciseconds>`.
-template <detail::register_value T> inline constexpr parameter_type in = type_of<T>();
-
-/// What rows hold that have a list of their own.
-/// Internal.
-inline constexpr parameter_type one_of_a_list{.kind = parameter_kind::enumeration};
-/// Internal.
-inline constexpr parameter_type bits_of_a_list{.kind = parameter_kind::bits};
-
-/// What a row holds: an amount in a unit, one of a list of choices, or bits.
-class held_values {
-public:
-    constexpr held_values(parameter_type const& type) noexcept : type_{&type} {}
-
-    template <std::size_t Count>
-    constexpr held_values(choice const (&list)[Count], parameter_type const& type = one_of_a_list) noexcept
-        : type_{&type}, first_{list}, count_{Count}
-    {}
-
-    [[nodiscard]] constexpr parameter_type const* operator->() const noexcept { return type_; }
-
-    [[nodiscard]] constexpr std::span<choice const> choices() const noexcept
-    {
-        return count_ == 0 ? type_->choices : std::span<choice const>{first_, count_};
-    }
-
-private:
-    parameter_type const* type_;
-    choice const* first_{nullptr};
-    std::size_t count_{0};
-};
-
-/// A word of bits: the rows of the list are its bits, by number.
-template <std::size_t Count> [[nodiscard]] constexpr held_values bits(choice const (&list)[Count]) noexcept
-{
-    return {list, bits_of_a_list};
-}
-
-/// Who may write a register, and how reliable the source is: `rw` and the like, once for a drive.
-struct row_access {
-    access mode;
-    provenance source;
-};
-
-/// The same, where the source contradicts itself.
-[[nodiscard]] constexpr row_access doubtful(row_access of) noexcept { return {of.mode, provenance::doubtful}; }
 
 /// One parameter, as its row.
 struct parameter {
@@ -138,6 +41,9 @@ struct parameter {
     row_role const* role{&roles::ordinary};   ///< what it is for whoever copies a configuration, and why
     literal steps_set_by = detail::no_text;   ///< the register that sets the size of a step; empty where none does
     detail::count_range gap = detail::no_gap; ///< raw counts inside the limits that are never written
+
+    /// Each is a holding register of one word: a restore writes no other.
+    static constexpr bool is_plain = true;
 
     [[nodiscard]] constexpr access mode() const noexcept { return is_written.mode; }
     [[nodiscard]] constexpr provenance source() const noexcept { return is_written.source; }

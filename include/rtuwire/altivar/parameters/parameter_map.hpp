@@ -26,6 +26,8 @@ struct parameter_group {
 /// The groups of a drive.
 class parameter_map {
 public:
+    using row_type = parameter;
+
     /// The groups live as long as the map.
     explicit constexpr parameter_map(std::span<parameter_group const> groups) noexcept : groups_{groups} {}
 

@@ -13,9 +13,11 @@
 
 #include <rtuwire/altivar/device/cycle_registers.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/parameters/parameter.hpp>
 #include <rtuwire/altivar/parameters/parameter_role.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/table/row_table.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -77,6 +79,18 @@ template <typename Device> [[nodiscard]] constexpr bool agrees_with_drive(parame
     }
     return agrees;
 }
+
+/// Of a drive whose registers are rows.
+template <has_all_parts T>
+    requires requires { T::registers::row_for(0); }
+inline constexpr bool has_rows_with_roles<T> = [] {
+    bool all = detail::row_check<typename T::registers>::passed;
+    for (row_demand const& each : row_demands<T>) {
+        parameter const* const row = each.address == 0 ? nullptr : T::registers::row_for(each.address);
+        all = all and (row == nullptr or each.is_met_by(role_of(*row)));
+    }
+    return all;
+}();
 
 } // namespace altivar
 } // namespace RTUWIRE_BUILD

@@ -187,6 +187,7 @@ template <unsigned Bits, any_quantity Unit, word_order Order> struct floating_fo
 
     using value_type = real<Unit, count_type>;
     static constexpr std::uint16_t word_count = Bits / 16;
+    static constexpr word_order order = Order;
     using words = std::array<std::uint16_t, word_count>;
 
     [[nodiscard]] static constexpr result<value_type> from_words(words const& from) noexcept

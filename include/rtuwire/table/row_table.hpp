@@ -1,0 +1,578 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Rows as the registers of a device, for typed access: `read<parameter<"LFF">>(drive)`, by the mnemonic alone. A register
+// that has an object of its own, `atv320::acc`, is named by that. Rows that do not fit together do not compile, and the
+// compiler names the address.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include <rtuwire/core/literal.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/enumeration.hpp>
+#include <rtuwire/table/register.hpp>
+#include <rtuwire/table/row.hpp>
+#include <rtuwire/table/setting.hpp>
+#include <rtuwire/table/table.hpp>
+
+namespace rtuwire {
+inline namespace RTUWIRE_BUILD {
+
+namespace detail {
+
+/// Types by their places.
+template <std::size_t Place, typename T> struct placed_type {
+    using type = T;
+};
+template <typename Places, typename... Ts> struct placed_types;
+template <std::size_t... Places, typename... Ts>
+struct placed_types<std::index_sequence<Places...>, Ts...> : placed_type<Places, Ts>... {};
+template <std::size_t Place, typename T> placed_type<Place, T> at_place(placed_type<Place, T> const&);
+
+/// The number of a bit in a word whose bits have no type.
+enum class bit_number : std::uint8_t {};
+
+/// A register that is a row of a device.
+template <typename Device, typename T, register_space Space = register_space::holding>
+struct row_register : reg<T, Space> {
+    template <typename Step> using in_steps = row_register<Device, Step, Space>;
+};
+template <typename Device, typename T> inline constexpr bool is_row_of = false;
+template <typename Device, typename T, register_space Space>
+inline constexpr bool is_row_of<Device, row_register<Device, T, Space>> = true;
+
+/// Whether two columns of rows say the same amount.
+[[nodiscard]] constexpr bool is_same_amount(parameter_type const& left, parameter_type const& right) noexcept
+{
+    return left.is_same(right);
+}
+[[nodiscard]] constexpr bool is_same_amount(form_type const& left, form_type const& right) noexcept
+{
+    return left.is_same(right);
+}
+template <typename Left, typename Right> [[nodiscard]] constexpr bool is_same_amount(Left const&, Right const&) noexcept
+{
+    return false;
+}
+
+} // namespace detail
+
+/// A text as a template argument: `parameter<"LFF">`.
+template <std::size_t Size> struct mnemonic {
+    char letters[Size]{};
+
+    consteval mnemonic(char const (&text)[Size]) noexcept
+    {
+        for (std::size_t i = 0; i < Size; ++i) {
+            letters[i] = text[i];
+        }
+    }
+};
+
+/// The types of amounts that the rows of a device may have: a device of one's own lists its own.
+template <typename... Ts> struct amount_types {
+    /// The place of the type of which a row says the same.
+    template <typename Type> [[nodiscard]] static consteval std::size_t place_of(Type const& type) noexcept
+    {
+        std::size_t place = 0;
+        for (bool const is_it : {detail::is_same_amount(in<Ts>, type)...}) {
+            if (is_it) {
+                return place;
+            }
+            ++place;
+        }
+        return place;
+    }
+
+    template <std::size_t Place>
+    using at = typename decltype(detail::at_place<Place>(
+        detail::placed_types<std::make_index_sequence<sizeof...(Ts)>, Ts...>{}))::type;
+    static constexpr std::size_t size = sizeof...(Ts);
+};
+
+namespace detail {
+
+/// The types of amounts of a device where it lists none: those of the class of its rows.
+template <typename Row> struct usual_amounts_of {
+    using type = amount_types<>;
+};
+template <typename Device> struct amounts_of : usual_amounts_of<typename Device::registers::row_type> {};
+template <typename Device>
+    requires requires { typename Device::amounts; }
+struct amounts_of<Device> {
+    using type = typename Device::amounts;
+};
+
+/// Calls `visit(row)` for each of a list: of an array, or of a map of groups.
+template <typename List, typename Visit> constexpr void for_each_row_of(List const& list, Visit&& visit)
+{
+    if constexpr (std::is_array_v<List>) {
+        for (auto const& each : list) {
+            visit(each);
+        }
+    } else {
+        for (auto const& group : list.groups()) {
+            for (auto const& each : group.rows) {
+                visit(each);
+            }
+        }
+    }
+}
+
+/// The class of the rows of a list.
+template <typename List> struct row_of_list {
+    using type = typename List::row_type;
+};
+template <typename Row, std::size_t Size> struct row_of_list<Row[Size]> {
+    using type = std::remove_const_t<Row>;
+};
+
+/// Of some lists; they have one.
+template <auto const& First, auto const&...> struct row_of_lists : row_of_list<std::remove_cvref_t<decltype(First)>> {};
+
+/// The maps of a drive; none of a device whose lists are arrays.
+template <bool AreMaps, auto const&... Lists> [[nodiscard]] consteval auto maps_of() noexcept
+{
+    if constexpr (AreMaps) {
+        return std::array{&Lists...};
+    } else {
+        return std::array<int const*, 0>{};
+    }
+}
+
+/// No address.
+inline constexpr std::uint32_t no_row = 0xFFFF'FFFFU;
+
+/// The address of the first row that is wrong; `no_row` where none is.
+template <typename Table, typename IsWrong>
+[[nodiscard]] consteval std::uint32_t first_wrong_row(IsWrong const& is_wrong) noexcept
+{
+    std::uint32_t found = no_row;
+    Table::for_each_row([&](auto const& row) { found = found == no_row and is_wrong(row) ? row.address : found; });
+    return found;
+}
+
+[[nodiscard]] constexpr bool has_reversed_limits(register_row const& row) noexcept
+{
+    return row.min.is_number() and row.max.is_number() and row.min.raw() > row.max.raw();
+}
+
+[[nodiscard]] constexpr bool is_delivered_wrong(register_row const& row) noexcept
+{
+    if (not row.factory) {
+        return false;
+    }
+    bool const is_listed = row.type->kind != parameter_kind::enumeration or
+                           has_meaning(row.choices(), static_cast<std::uint16_t>(*row.factory));
+    return not is_listed or (row.min.is_number() and *row.factory < row.min.raw()) or
+           (row.max.is_number() and *row.factory > row.max.raw()) or row.gap.contains(*row.factory);
+}
+
+[[nodiscard]] constexpr bool is_of_another_kind(register_row const& row) noexcept
+{
+    bool const is_bit = row.type.has_form() and row.type.form().is_bit;
+    bool const is_read = row.kind.space == register_space::input or row.kind.space == register_space::discrete_input;
+    return is_space_of_bits(row.kind.space) != is_bit or (is_read and row.mode() != access::read_only);
+}
+
+[[nodiscard]] constexpr bool has_one_choice_twice(register_row const& row) noexcept
+{
+    for (std::size_t i = 1; i < row.choices().size(); ++i) {
+        if (has_meaning(row.choices().first(i), row.choices()[i].word)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace detail
+
+/// Never defined for an address: these names are the message, the argument is the row's.
+template <std::uint32_t Address> struct two_rows_have_this_address;
+template <std::uint32_t Address> struct two_rows_have_the_code_of_this_one;
+template <std::uint32_t Address> struct this_row_has_its_limits_reversed;
+template <std::uint32_t Address> struct this_row_is_delivered_with_a_value_that_it_does_not_take;
+template <std::uint32_t Address> struct this_row_holds_what_its_kind_cannot;
+template <std::uint32_t Address> struct this_row_has_one_choice_twice;
+template <std::uint32_t Address> struct this_row_ends_behind_address_65535;
+template <> struct two_rows_have_this_address<detail::no_row> {};
+template <> struct two_rows_have_the_code_of_this_one<detail::no_row> {};
+template <> struct this_row_has_its_limits_reversed<detail::no_row> {};
+template <> struct this_row_is_delivered_with_a_value_that_it_does_not_take<detail::no_row> {};
+template <> struct this_row_holds_what_its_kind_cannot<detail::no_row> {};
+template <> struct this_row_has_one_choice_twice<detail::no_row> {};
+template <> struct this_row_ends_behind_address_65535<detail::no_row> {};
+
+namespace detail {
+
+/// The addresses of some rows: holding registers of one word.
+template <typename Table, bool IsPlain> struct row_addresses {
+    static constexpr std::size_t count = Table::size;
+    using key = std::uint16_t;
+
+    static constexpr std::array<key, count> keys = [] {
+        std::array<key, count> all{};
+        std::size_t next = 0;
+        Table::for_each_row([&](auto const& row) { all[next++] = row.address; });
+        return all;
+    }();
+};
+
+/// Registers of any kind and width.
+template <typename Table> struct row_addresses<Table, false> {
+    static constexpr std::uint32_t past_the_end =
+        first_wrong_row<Table>([](register_row const& row) { return row.address + row.word_count() > 0x1'0000; });
+    static_assert(sizeof(this_row_ends_behind_address_65535<past_the_end>) > 0);
+    static constexpr std::size_t count = [] {
+        std::size_t words = 0;
+        Table::for_each_row([&](register_row const& row) { words += row.word_count(); });
+        return words;
+    }();
+    using key = std::uint32_t;
+
+    static constexpr std::array<key, count> keys = [] {
+        std::array<key, count> all{};
+        std::size_t next = 0;
+        Table::for_each_row([&](register_row const& row) {
+            for (std::uint32_t word = 0; word < row.word_count(); ++word) {
+                all[next++] = key_of(row.kind.space, row.address) + word;
+            }
+        });
+        return all;
+    }();
+};
+
+} // namespace detail
+
+template <typename Device, char... Letters> struct row_named;
+
+/// The registers of a device that has rows: those of `Objects`, a table, and the rows of some lists. A list is an array of
+/// `register_row`; or, of a drive, a map, whose rows have the registers of the table among them. `Device` is the device,
+/// whose rows another one, of other scanner words, may share.
+template <typename Device, typename Objects, auto const&... Lists> class row_table {
+public:
+    using device = Device;
+    using objects = Objects;
+
+    /// The class of the rows.
+    using row_type = typename detail::row_of_lists<Lists...>::type;
+
+    /// How many rows there are.
+    static constexpr std::size_t size = (std::size(Lists) + ...);
+
+    /// The rows of a drive, by their groups.
+    static constexpr auto maps = detail::maps_of<row_type::is_plain, Lists...>();
+
+    /// Whether there is a register at an address.
+    [[nodiscard]] static constexpr bool has_address(std::uint16_t address,
+                                                    register_space space = register_space::holding) noexcept
+    {
+        if constexpr (row_type::is_plain) {
+            return space == register_space::holding and by_address.find(address) != size;
+        } else {
+            return by_address.find(detail::key_of(space, address)) != addresses::count or
+                   Objects::has_address(address, space);
+        }
+    }
+
+    /// Whether a register is one of this device's, or one of them counted in other steps.
+    template <auto const& R>
+    static constexpr bool contains = [] {
+        if constexpr (detail::is_row_of<Device, std::remove_cvref_t<decltype(R)>>) {
+            return true;
+        } else {
+            return Objects::template contains<R>;
+        }
+    }();
+
+    /// Whether all of some registers are this device's.
+    /// Internal.
+    template <auto const&... Asked> [[nodiscard]] static constexpr bool holds_all() noexcept
+    {
+        return detail::are_all<contains<Asked>...>;
+    }
+
+    /// Calls `visit(row)` for each, list by list.
+    template <typename Visit> static constexpr void for_each_row(Visit&& visit)
+    {
+        (detail::for_each_row_of(Lists, visit), ...);
+    }
+
+    /// The row at an address; null where there is none.
+    [[nodiscard]] static constexpr row_type const* row_for(std::uint16_t address) noexcept requires(row_type::is_plain)
+    {
+        std::size_t const place = by_address.find(address);
+        return place == size ? nullptr : rows[place];
+    }
+
+    /// The place of the row of a mnemonic that no object has; `size` where there is none.
+    /// Internal.
+    [[nodiscard]] static constexpr std::size_t without_object(literal code) noexcept
+    {
+        std::size_t const place = by_code.find(code);
+        if constexpr (row_type::is_plain) {
+            return place == size or Objects::has_address(rows[place]->address) ? size : place;
+        } else {
+            return place;
+        }
+    }
+
+    /// The address of a row that another row has, or an object; `no_row` where there is none.
+    /// Internal.
+    [[nodiscard]] static constexpr std::uint32_t address_taken() noexcept
+    {
+        std::size_t const second = by_address.duplicate().second;
+        if constexpr (not row_type::is_plain) {
+            for (std::uint32_t const key : addresses::keys) {
+                if (Objects::has_address(static_cast<std::uint16_t>(key & 0xFFFFU),
+                                         static_cast<register_space>(key >> 16U))) {
+                    return key & 0xFFFFU;
+                }
+            }
+        }
+        return second == 0 ? detail::no_row : addresses::keys[second] & 0xFFFFU;
+    }
+
+    /// The address of a row whose mnemonic another one has.
+    /// Internal.
+    [[nodiscard]] static constexpr std::uint32_t code_taken() noexcept
+    {
+        std::size_t const second = by_code.duplicate().second;
+        return second == 0 ? detail::no_row : rows[second]->address;
+    }
+
+    /// Internal.
+    [[nodiscard]] static constexpr row_type const& row_at(std::size_t place) noexcept
+    {
+        return *rows[place == size ? 0 : place];
+    }
+
+private:
+    using addresses = detail::row_addresses<row_table, row_type::is_plain>;
+
+    static constexpr std::array<row_type const*, size> rows = [] {
+        std::array<row_type const*, size> all{};
+        std::size_t next = 0;
+        for_each_row([&](row_type const& row) { all[next++] = &row; });
+        return all;
+    }();
+    static constexpr std::array<literal, size> codes = [] {
+        std::array<literal, size> all{};
+        std::size_t next = 0;
+        for_each_row([&](row_type const& row) { all[next++] = row.code; });
+        return all;
+    }();
+    static constexpr detail::key_index<typename addresses::key, addresses::count> by_address{addresses::keys};
+    static constexpr detail::key_index<literal, size> by_code{codes};
+};
+
+namespace detail {
+
+/// What the rows of a device have to be; of a drive's, whose limits a test compares with its list, only that none is there
+/// twice.
+template <typename Table> struct row_check {
+    static_assert(sizeof(two_rows_have_this_address<Table::address_taken()>) > 0);
+    static_assert(sizeof(two_rows_have_the_code_of_this_one<Table::code_taken()>) > 0);
+    static constexpr bool passed = true;
+};
+template <typename Table>
+    requires(not Table::row_type::is_plain)
+struct row_check<Table> {
+    static_assert(sizeof(two_rows_have_this_address<Table::address_taken()>) > 0);
+    static_assert(sizeof(two_rows_have_the_code_of_this_one<Table::code_taken()>) > 0);
+    static_assert(sizeof(this_row_has_its_limits_reversed<first_wrong_row<Table>(has_reversed_limits)>) > 0);
+    static_assert(
+        sizeof(this_row_is_delivered_with_a_value_that_it_does_not_take<first_wrong_row<Table>(is_delivered_wrong)>) >
+        0);
+    static_assert(sizeof(this_row_holds_what_its_kind_cannot<first_wrong_row<Table>(is_of_another_kind)>) > 0);
+    static_assert(sizeof(this_row_has_one_choice_twice<first_wrong_row<Table>(has_one_choice_twice)>) > 0);
+    static constexpr bool passed = true;
+};
+
+/// What a row holds, as a type: an amount, bits by number, or an enumeration of its own.
+template <typename Called> struct row_value {
+    enum class type : std::uint16_t {};
+    friend consteval std::span<choice const> choices_beside(type) { return Called::row.choices(); }
+};
+
+/// The rows of a device are checked where one of them is first named; those of a drive, of which there may be a thousand,
+/// by `drive_check`.
+template <typename Table> [[nodiscard]] consteval bool is_checked() noexcept
+{
+    if constexpr (Table::row_type::is_plain) {
+        return true;
+    } else {
+        return row_check<Table>::passed;
+    }
+}
+
+/// The register of a row.
+template <typename Device, char... Letters> struct row_named {
+private:
+    using table = typename Device::registers;
+    static constexpr char letters[]{Letters..., '\0'};
+    static_assert(is_checked<table>());
+    static constexpr std::size_t place = table::without_object(letters);
+    static constexpr bool is_known = place != table::size;
+    static_assert(is_known, "this device has no row of this mnemonic, or a register that has a name of its own, as "
+                            "atv320::acc: name it by that");
+
+public:
+    static constexpr auto row = table::row_at(place);
+
+private:
+    /// Of an amount that the device lists.
+    template <typename Type> [[nodiscard]] static constexpr auto amount(Type const&) noexcept
+    {
+        using amounts = typename detail::amounts_of<Device>::type;
+        constexpr std::size_t type = [] {
+            if constexpr (std::is_same_v<Type, form_type>) {
+                return amounts::place_of(row.type.form());
+            } else {
+                return amounts::place_of(*row.type.operator->());
+            }
+        }();
+        static_assert(type < amounts::size, "the types of amounts of this device lack that of this row");
+        return of<typename amounts::template at<type>>();
+    }
+    [[nodiscard]] static constexpr auto typed() noexcept
+    {
+        if constexpr (not std::remove_const_t<decltype(row)>::is_plain) {
+            return wide();
+        } else {
+            return word();
+        }
+    }
+    [[nodiscard]] static constexpr auto wide() noexcept
+    {
+        if constexpr (not row.type.has_form()) {
+            return word();
+        } else if constexpr (row.type.form().is_bit) {
+            return of<bool>();
+        } else {
+            return amount(row.type.form());
+        }
+    }
+    [[nodiscard]] static constexpr auto word() noexcept
+    {
+        constexpr parameter_kind kind = row.type->kind;
+        if constexpr (kind == parameter_kind::bits) {
+            return of<flags<detail::bit_number>>();
+        } else if constexpr (kind == parameter_kind::enumeration) {
+            return of<typename row_value<row_named>::type>();
+        } else {
+            return amount(*row.type.operator->());
+        }
+    }
+    [[nodiscard]] static constexpr register_space space() noexcept
+    {
+        if constexpr (std::remove_const_t<decltype(row)>::is_plain) {
+            return register_space::holding;
+        } else {
+            return row.kind.space;
+        }
+    }
+    template <typename T> [[nodiscard]] static constexpr auto of() noexcept
+    {
+        return detail::row_register<Device, T, space()>{reg<T, space()>{.code = row.code,
+                                                                        .address = row.address,
+                                                                        .mode = row.mode(),
+                                                                        .min = row.min,
+                                                                        .max = row.max,
+                                                                        .factory = row.factory,
+                                                                        .name = row.name,
+                                                                        .source = row.source(),
+                                                                        .steps_set_by = row.steps_set_by,
+                                                                        .gap = row.gap}};
+    }
+
+public:
+    static constexpr auto it = typed();
+};
+
+} // namespace detail
+
+/// The register of a row, by its mnemonic: each device has a shorter name for its own.
+template <typename Device, mnemonic Code>
+inline constexpr auto const& parameter_called = []<std::size_t... At>(std::index_sequence<At...>) -> auto const&
+{
+    return detail::row_named<Device, Code.letters[At]...>::it;
+}
+(std::make_index_sequence<sizeof(Code.letters) - 1>{});
+
+namespace detail {
+
+template <typename Table, std::size_t Place, std::size_t... At>
+[[nodiscard]] consteval auto const& register_of_row(std::index_sequence<At...>) noexcept
+{
+    return row_named<typename Table::device, Table::row_at(Place).code[At]...>::it;
+}
+/// All registers of a device that has rows.
+template <typename Table, typename Places> struct registers_of_rows;
+template <typename Table, std::size_t... Places> struct registers_of_rows<Table, std::index_sequence<Places...>> {
+    template <template <auto const&...> typename List>
+    using with = typename Table::objects::template with<
+        List, register_of_row<Table, Places>(std::make_index_sequence<Table::row_at(Places).code.size()>{})...>;
+};
+template <typename Device, typename Objects, auto const&... Lists>
+struct all_registers<row_table<Device, Objects, Lists...>>
+    : registers_of_rows<row_table<Device, Objects, Lists...>,
+                        std::make_index_sequence<row_table<Device, Objects, Lists...>::size>> {};
+
+/// A value by its name.
+template <mnemonic Name> struct named_choice {
+    /// The value of an enumeration that has this name.
+    template <register_enumeration Enum> [[nodiscard]] static consteval Enum value() noexcept
+    {
+        constexpr std::size_t count = enumerators<Enum>.size();
+        constexpr std::size_t place = [] {
+            std::size_t found = count;
+            for (std::size_t i = 0; i < count; ++i) {
+                found = enumerators<Enum>[i].name == literal{Name.letters} ? i : found;
+            }
+            for (std::size_t i = 0; found == count and i < count; ++i) {
+                found = detail::listed_name(meanings<Enum>, enumerators<Enum>[i].value) == literal{Name.letters}
+                            ? i
+                            : found;
+            }
+            return found;
+        }();
+        constexpr bool is_known = place < count;
+        static_assert(is_known, "this register has no value of this name");
+        return static_cast<Enum>(enumerators<Enum>[is_known ? place : 0].value);
+    }
+
+    template <register_enumeration Enum> constexpr operator Enum() const noexcept
+    {
+        constexpr Enum which = value<Enum>();
+        return which;
+    }
+
+    template <typename Setting>
+        requires(detail::is_setting<Setting>)
+    constexpr operator Setting() const noexcept
+    {
+        constexpr Setting which{value<typename Setting::value_type>()};
+        return which;
+    }
+
+    template <register_enumeration Enum> friend constexpr bool operator==(Enum left, named_choice) noexcept
+    {
+        constexpr Enum right = value<Enum>();
+        return left == right;
+    }
+};
+
+} // namespace detail
+
+/// A value by its name, where an enumeration is wanted: `named<"YES">`, the mnemonic or the meaning.
+template <mnemonic Name> inline constexpr detail::named_choice<Name> named{};
+
+} // namespace RTUWIRE_BUILD
+} // namespace rtuwire

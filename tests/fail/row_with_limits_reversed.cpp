@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A row whose least value is above its most.
+// EXPECT: this_row_has_its_limits_reversed<50>
+#include <rtuwire/client.hpp>
+#include <rtuwire/rows.hpp>
+
+using namespace rtuwire;
+
+namespace meter {
+
+inline constexpr register_row rows[]{
+    {"E", 40, row_words::input, in<unsigned32<watt_hours>>},
+#ifdef REFUSED
+    {"P", 50, row_words::rw, in<count16>, 9, 1},
+#else
+    {"P", 50, row_words::rw, in<count16>, 1, 9},
+#endif
+};
+
+struct device {
+    static constexpr literal name{"meter"};
+    static constexpr function_set functions = all_functions;
+    static constexpr device_limits limits{};
+    static constexpr unit_range units{};
+    static constexpr std::array<address_range, 0> readable{};
+    using amounts = amount_types<unsigned32<watt_hours>, count16>;
+    using registers = row_table<device, table<>, rows>;
+};
+
+} // namespace meter
+
+inline auto const energy = read<parameter_called<meter::device, "E">>(station<meter::device>{unit_id{3}});
