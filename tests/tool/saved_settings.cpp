@@ -79,7 +79,7 @@ TEST_CASE("what is written is read again, of each drive, in both forms")
         INFO(drive->name);
         tool::saved_settings const all = whole_drive(drive->name);
         for (settings_reading const& read :
-             {read_json(tool::json_text_of(all)), read_csv(tool::csv_text_of(all), {})}) {
+             {read_json(tool::json_text_of(tool::rows_of(all))), read_csv(tool::csv_text_of(tool::rows_of(all)), {})}) {
             INFO((read.fault ? read.fault->sentence : ""));
             REQUIRE_FALSE(read.fault);
             CHECK(read.settings.drive == drive);
@@ -205,7 +205,7 @@ TEST_CASE("what is wrong in JSON is refused with line and column")
 TEST_CASE("a file that was damaged is read or refused, never believed where it contradicts itself")
 {
     tool::saved_settings const all = whole_drive("atv310");
-    std::string const texts[]{tool::json_text_of(all), tool::csv_text_of(all)};
+    std::string const texts[]{tool::json_text_of(tool::rows_of(all)), tool::csv_text_of(tool::rows_of(all))};
     rtuwire::test::random random{2026};
     std::size_t refused = 0;
     for (int i = 0; i < 2'000; ++i) {

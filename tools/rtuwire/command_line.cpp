@@ -246,11 +246,13 @@ exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
 /// Before anything is opened. The longest pause that one of them wants is that of the line, unless one is typed.
 void read_register_files(choices& chosen, bool has_pause)
 {
-    constexpr std::string_view by_name[]{"read", "watch", "monitor", "write"};
+    constexpr std::string_view by_name[]{"read", "watch", "monitor", "write", "backup", "compare", "restore"};
     line_choices& line = chosen.line;
     bool const knows_names = std::ranges::count(by_name, chosen.command) > 0;
     if (not line.device.empty() and not knows_names) {
-        refuse_word("--device: read, watch, monitor and write know register files, '" + chosen.command + "' does not");
+        refuse_word(
+            "--device: read, watch, monitor, write, backup, compare, restore and simulate know register files, '" +
+            chosen.command + "' does not");
     }
     std::vector<std::string> files;
     for (named_unit const& each : knows_names ? names_in(line) : std::vector<named_unit>{}) {

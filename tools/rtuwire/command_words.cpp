@@ -36,7 +36,8 @@ void add_line_options(CLI::App& app, line_choices& line)
     app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
     app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it; none: it is no drive");
     app.add_option("--device", line.device,
-                   "a register file of what is no drive: names of its registers for read, watch, monitor, write");
+                   "a register file of what is no drive: names of its registers, for all that reads or writes them;\n"
+                   "simulate serves it");
     app.add_option("--name", line.names,
                    "a unit's name, and its type or register file: fan=7:atv320, meter=61:meter.toml")
         ->allow_extra_args(false);
@@ -236,7 +237,8 @@ void add_writing(CLI::App& app, choices& chosen)
 
 void add_settings(CLI::App& app, choices& chosen)
 {
-    CLI::App& backup = add_command(app, chosen, "backup", "read all parameters of a drive into a file");
+    CLI::App& backup =
+        add_command(app, chosen, "backup", "read all parameters of a drive into a file, or the settings of a --device");
     backup
         .add_option("-o,--output", chosen.file, "the file: JSON, or CSV where its name ends so; - for standard output")
         ->required();
@@ -245,8 +247,8 @@ void add_settings(CLI::App& app, choices& chosen)
     add_operands(compare, chosen, "FILE",
                  "one or two: a FILE, a UNIT, or UNIT@PORT; the unit of --unit stands for the second");
     compare.add_flag("--factory", chosen.is_factory, "with the factory values, instead of a second one");
-    CLI::App& restore =
-        add_command(app, chosen, "restore", "write a file's settings into a drive that stands (--write)");
+    CLI::App& restore = add_command(app, chosen, "restore",
+                                    "write a file's settings into a drive that stands, or a --device (--write)");
     restore.add_option("FILE", chosen.file, "a backup, JSON or CSV")->required();
     restore_choices& with = chosen.restore;
     restore.add_flag("--dry-run", with.dry_run, "show what would be written, and write nothing");

@@ -15,51 +15,27 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// By group and address, whatever order they were read in.
-std::vector<saved_parameter const*> in_order(saved_settings const& settings)
-{
-    std::vector<saved_parameter const*> all;
-    for (saved_parameter const& each : settings.parameters) {
-        all.push_back(&each);
-    }
-    std::ranges::sort(all, {}, [](auto const* each) { return std::tuple{each->entry->group, each->entry->address}; });
-    return all;
-}
-
-saved_value value_of(saved_parameter const& of, saved_settings const& in)
-{
-    return of.word ? value_to_save(*of.entry, *in.drive, *of.word, in.word_of(of.entry->steps_set_by)) : saved_value{};
-}
-
 std::string text_of(json const& value)
 {
     return plain_json(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 /// One line. A number stands with the digits of its step, which no floating point number keeps.
-std::string json_line(saved_parameter const& of, saved_settings const& in)
+std::string json_line(backup_row const& of)
 {
-    std::string line = "{\"group\":" + text_of(of.entry->group) + ",\"address\":" + std::to_string(of.entry->address) +
-                       ",\"register\":" + text_of(of.entry->code);
-    auto const add = [&line](char const* name, std::string const& text) {
-        line += ",\"" + std::string{name} + "\":" + text;
+    std::string line = "{\"group\":" + text_of(of.group) + ",\"address\":" + std::to_string(of.address) +
+                       ",\"register\":" + text_of(of.code);
+    auto const add = [&line](char const* name, std::string const& text, bool is_number) {
+        if (not text.empty()) {
+            line += ",\"" + std::string{name} + "\":" + (is_number ? text : text_of(text));
+        }
     };
-    if (not of.entry->menu.empty()) {
-        add("menu", text_of(of.entry->menu));
-    }
-    saved_value const value = value_of(of, in);
-    if (of.word) {
-        add("raw", std::to_string(*of.word));
-    } else {
-        add("error", text_of(of.error));
-    }
-    if (not value.text.empty()) {
-        add("value", value.is_number ? value.text : text_of(value.text));
-    }
-    if (not value.unit.empty()) {
-        add("unit", text_of(value.unit));
-    }
-    add("name", text_of(of.entry->name));
+    add("menu", of.menu, false);
+    add("raw", of.raw, of.is_raw_number);
+    add("error", of.error, false);
+    add("value", of.value.text, of.value.is_number);
+    add("unit", of.value.unit, false);
+    add("name", of.name, false);
     return line + "}";
 }
 
@@ -87,37 +63,50 @@ std::string csv_line(std::initializer_list<std::string> fields)
 
 } // namespace
 
-std::string json_text_of(saved_settings const& settings)
+std::string json_text_of(backup_rows const& all)
 {
     std::string text = "{\n";
-    for (auto const& [name, value] : settings.head) {
+    for (auto const& [name, value] : all.head) {
         text += text_of(name) + ": " + text_of(value) + ",\n";
     }
-    text += "\"rows\": \"" + std::to_string(settings.parameters.size()) + "\",\n";
+    text += "\"rows\": \"" + std::to_string(all.rows.size()) + "\",\n";
     text += "\"parameters\": [";
     char const* separator = "\n";
-    for (saved_parameter const* const each : in_order(settings)) {
-        text += separator + json_line(*each, settings);
+    for (backup_row const& each : all.rows) {
+        text += separator + json_line(each);
         separator = ",\n";
     }
     return text + "\n]}\n";
 }
 
-std::string csv_text_of(saved_settings const& settings)
+std::string csv_text_of(backup_rows const& all)
 {
     std::string text = csv_line({"group", "address", "register", "menu", "raw", "value", "unit", "name", "error"});
-    for (auto const& [name, value] : settings.head) {
+    for (auto const& [name, value] : all.head) {
         text += csv_line({"backup", "", name, "", "", value, "", "", ""});
     }
-    text += csv_line({"backup", "", "rows", "", "", std::to_string(settings.parameters.size()), "", "", ""});
-    for (saved_parameter const* const each : in_order(settings)) {
-        saved_value const value = value_of(*each, settings);
-        text += csv_line({std::string{each->entry->group}, std::to_string(each->entry->address),
-                          std::string{each->entry->code}, std::string{each->entry->menu},
-                          each->word ? std::to_string(*each->word) : "", value.text, value.unit,
-                          std::string{each->entry->name}, each->error});
+    text += csv_line({"backup", "", "rows", "", "", std::to_string(all.rows.size()), "", "", ""});
+    for (backup_row const& each : all.rows) {
+        text += csv_line({each.group, std::to_string(each.address), each.code, each.menu, each.raw, each.value.text,
+                          each.value.unit, each.name, each.error});
     }
     return text;
+}
+
+backup_rows rows_of(saved_settings const& settings)
+{
+    backup_rows all{settings.head, {}};
+    for (saved_parameter const& each : settings.parameters) {
+        register_entry const& entry = *each.entry;
+        saved_value value =
+            each.word ? value_to_save(entry, *settings.drive, *each.word, settings.word_of(entry.steps_set_by))
+                      : saved_value{};
+        all.rows.push_back({std::string{entry.group}, entry.address, std::string{entry.code}, std::string{entry.menu},
+                            each.word ? std::to_string(*each.word) : std::string{}, true, std::move(value),
+                            std::string{entry.name}, each.error});
+    }
+    std::ranges::stable_sort(all.rows, {}, [](backup_row const& each) { return std::tuple{each.group, each.address}; });
+    return all;
 }
 
 } // namespace tool

@@ -22,14 +22,6 @@ namespace {
 
 namespace altivar = rtuwire::altivar;
 
-std::string time_of_backup()
-{
-    std::time_t const now = std::time(nullptr);
-    char text[32] = "";
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S%z", std::localtime(&now));
-    return text;
-}
-
 /// What a register says, in words, as part of the head.
 void add_word(saved_settings& to, char const* name, std::string_view code)
 {
@@ -100,6 +92,14 @@ void refuse_nothing_read(saved_settings const& settings, rtuwire::unit_id unit)
 }
 
 } // namespace
+
+std::string time_of_backup()
+{
+    std::time_t const now = std::time(nullptr);
+    char text[32] = "";
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S%z", std::localtime(&now));
+    return text;
+}
 
 saved_settings settings_of(open_line& line, named_unit const& unit, std::string const& port)
 {

@@ -23,6 +23,12 @@ saved_settings factory_settings_of(drive_catalog const& drive);
 /// `drive` is what --drive says.
 saved_settings settings_of_file(std::string const& path, std::string const& drive);
 
+/// The rows of a file, JSON or a table. Ends the command where it cannot be read, or is larger than any backup.
+saved_text saved_text_of_file(std::string const& path);
+
+/// Now, as a backup's head has it.
+std::string time_of_backup();
+
 /// "cabinet.json:12:7: ", or "cabinet.json: " for the whole of it.
 std::string place_text(std::string const& path, text_place place);
 

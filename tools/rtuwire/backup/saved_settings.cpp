@@ -35,7 +35,8 @@ public:
 
     settings_reading run()
     {
-        bool const is_right = find_drive() and is_whole() and take_rows(false) and take_rows(true);
+        found_.fault = why_no_whole_backup(text_);
+        bool const is_right = not found_.fault and find_drive() and take_rows(false) and take_rows(true);
         if (is_right and found_.settings.parameters.empty()) {
             refuse({}, "it has no parameters");
         }
@@ -51,29 +52,12 @@ private:
         return false;
     }
 
-    /// A backup says how many rows it has: one that was cut is no backup.
-    bool is_whole()
-    {
-        auto const rows = text_.head.find("rows");
-        if (rows == text_.head.end() or rows->second.text == std::to_string(text_.rows.size())) {
-            return true;
-        }
-        return refuse(rows->second.place, "it says that it has " + rows->second.text + " rows, and has " +
-                                              std::to_string(text_.rows.size()) +
-                                              "; where that is meant, take out 'rows'");
-    }
-
     bool find_drive()
     {
         for (auto const& [name, value] : text_.head) {
             if (name != "rows") {
                 found_.settings.head.emplace_back(name, value.text);
             }
-        }
-        auto const format = text_.head.find("format");
-        if (format != text_.head.end() and format->second.text != format_name) {
-            return refuse(format->second.place, "'" + format->second.text + "' is no format that this program reads: " +
-                                                    std::string{format_name});
         }
         auto const drive = text_.head.find("drive");
         if (drive == text_.head.end() and chosen_.empty()) {
@@ -221,6 +205,22 @@ private:
 };
 
 } // namespace
+
+std::optional<file_fault> why_no_whole_backup(saved_text const& text)
+{
+    auto const format = text.head.find("format");
+    if (format != text.head.end() and format->second.text != format_name) {
+        return file_fault{format->second.place, "'" + format->second.text + "' is no format that this program reads: " +
+                                                    std::string{format_name}};
+    }
+    auto const rows = text.head.find("rows");
+    if (rows == text.head.end() or rows->second.text == std::to_string(text.rows.size())) {
+        return std::nullopt;
+    }
+    return file_fault{rows->second.place, "it says that it has " + rows->second.text + " rows, and has " +
+                                              std::to_string(text.rows.size()) +
+                                              "; where that is meant, take out 'rows'"};
+}
 
 saved_parameter const* saved_settings::find(std::string_view code) const noexcept
 {

@@ -35,6 +35,12 @@ struct saved_settings {
     [[nodiscard]] std::optional<std::uint16_t> word_of(std::string_view code) const noexcept;
 };
 
+/// Why a file is none of this program's, or has lost rows; nothing where it may be read. A backup says how many rows it has.
+[[nodiscard]] std::optional<file_fault> why_no_whole_backup(saved_text const& text);
+
+/// A number as other languages write it: "12,5" is 12.5. Nothing else has a comma.
+[[nodiscard]] std::string with_point(std::string text);
+
 /// A file's settings, or the first thing that is wrong in it.
 struct settings_reading {
     saved_settings settings{};

@@ -11,16 +11,6 @@ namespace tool {
 
 namespace {
 
-/// A number as other languages write it: "12,5" is 12.5. Nothing else has a comma.
-std::string with_point(std::string text)
-{
-    std::size_t const comma = text.find(',');
-    if (comma != text.npos and text.find_first_of(",.", comma + 1) == text.npos and text.find('.') > comma) {
-        text[comma] = '.';
-    }
-    return text;
-}
-
 value_reading wrong(register_entry const& entry, std::string const& value, std::string const& why)
 {
     return {{}, std::string{entry.code} + ": '" + value + "' " + why};
@@ -52,6 +42,15 @@ value_reading read_number(register_entry const& entry, std::string const& value,
 }
 
 } // namespace
+
+std::string with_point(std::string text)
+{
+    std::size_t const comma = text.find(',');
+    if (comma != text.npos and text.find_first_of(",.", comma + 1) == text.npos and text.find('.') > comma) {
+        text[comma] = '.';
+    }
+    return text;
+}
 
 value_reading read_saved_value(register_entry const& entry, drive_catalog const& drive, std::string const& value,
                                std::string const& unit, std::optional<std::uint16_t> set_by)

@@ -30,7 +30,7 @@ std::string place_text(std::string const& path, text_place place)
            (place.line == 0 ? ": " : ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": ");
 }
 
-saved_settings settings_of_file(std::string const& path, std::string const& drive)
+saved_text saved_text_of_file(std::string const& path)
 {
     file_text const file = text_of_file(path);
     if (not file.failure.empty()) {
@@ -39,8 +39,12 @@ saved_settings settings_of_file(std::string const& path, std::string const& driv
     if (file.text.size() > largest_backup) {
         refuse_word(path + ": is larger than any backup");
     }
-    settings_reading const read =
-        settings_in(is_json(file.text) ? read_json_rows(file.text) : read_csv_rows(file.text), drive);
+    return is_json(file.text) ? read_json_rows(file.text) : read_csv_rows(file.text);
+}
+
+saved_settings settings_of_file(std::string const& path, std::string const& drive)
+{
+    settings_reading const read = settings_in(saved_text_of_file(path), drive);
     if (read.fault) {
         refuse_word(place_text(path, read.fault->place) + read.fault->sentence);
     }

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Reads all parameters of a drive into a file.
+// Reads all parameters of a drive into a file, or the settings that a register file names.
+#include <algorithm>
 #include <string>
 
 #include "backup/backup_text.hpp"
 #include "backup/drive_settings.hpp"
 #include "commands/commands.hpp"
+#include "commands/device_commands.hpp"
 #include "files/regular_file.hpp"
 #include "files/whole_file.hpp"
 #include "words/words.hpp"
@@ -23,6 +25,16 @@ void print(std::string const& text)
     }
 }
 
+backup_summary back_up_drive(open_line& line, named_unit const& unit, std::string const& port, bool is_csv)
+{
+    saved_settings const settings = settings_of(line, unit, port);
+    auto const refused =
+        std::ranges::count_if(settings.parameters, [](saved_parameter const& each) { return not each.word; });
+    backup_rows const rows = rows_of(settings);
+    return {is_csv ? csv_text_of(rows) : json_text_of(rows), std::string{settings.drive->name}, rows.rows.size(),
+            static_cast<std::size_t>(refused)};
+}
+
 } // namespace
 
 exit_status run_backup(choices const& chosen)
@@ -33,25 +45,22 @@ exit_status run_backup(choices const& chosen)
     }
     named_unit const unit = unit_in(chosen.line);
     open_line line{chosen.line};
-    saved_settings const settings = settings_of(line, unit, chosen.line.port);
-    std::string const text = is_csv(chosen) ? csv_text_of(settings) : json_text_of(settings);
+    backup_summary const made = unit.names != nullptr ? back_up_device(line, unit, chosen.line.port, is_csv(chosen))
+                                                      : back_up_drive(line, unit, chosen.line.port, is_csv(chosen));
     if (is_output) {
-        print(text);
+        print(made.text);
         return exit_status::done;
     }
-    if (std::string const why = write_whole_file(chosen.file, text); not why.empty()) {
+    if (std::string const why = write_whole_file(chosen.file, made.text); not why.empty()) {
         throw ended{exit_status::port, chosen.file + ": " + why + "; the backup is not kept"};
-    }
-    std::int64_t refused = 0;
-    for (saved_parameter const& each : settings.parameters) {
-        refused += each.word ? 0 : 1;
     }
     output results{chosen.form, false};
     results.put({{"unit", std::int64_t{unit.unit.byte()}},
-                 {"drive", std::string{settings.drive->name}},
+                 {unit.names != nullptr ? "device" : "drive", made.of},
                  {"file", chosen.file},
-                 {"read", static_cast<std::int64_t>(settings.parameters.size()) - refused},
-                 {"refused by the drive", refused}});
+                 {"read", static_cast<std::int64_t>(made.rows - made.refused)},
+                 {unit.names != nullptr ? "without a value" : "refused by the drive",
+                  static_cast<std::int64_t>(made.refused)}});
     results.finish();
     return exit_status::done;
 }

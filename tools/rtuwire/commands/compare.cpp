@@ -14,6 +14,7 @@
 #include "catalog/entry_words.hpp"
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
+#include "commands/device_commands.hpp"
 #include "line/who_is_it.hpp"
 
 namespace tool {
@@ -168,6 +169,9 @@ exit_status run_compare(choices const& chosen)
     }
     if (words.empty() and not chosen.is_factory) {
         refuse_word("with what is it compared? say a FILE, UNIT or UNIT@PORT, or --factory");
+    }
+    if (unit_in(chosen.line).names != nullptr) {
+        return compare_device(chosen);
     }
     // Files first: what is wrong in one is told before a line is opened.
     std::vector<std::optional<compared_side>> sides(words.size());

@@ -12,6 +12,7 @@
 #include "catalog/entry_words.hpp"
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
+#include "commands/device_commands.hpp"
 #include "line/end_wish.hpp"
 #include "line/line_words.hpp"
 #include "line/who_is_it.hpp"
@@ -270,7 +271,7 @@ exit_status run_restore(choices const& chosen)
     if (not chosen.allowed.may_write and not chosen.restore.dry_run) {
         refuse_for_safety("this program only reads; to restore settings, say --write, or look first with --dry-run");
     }
-    return restoring{chosen}.run();
+    return unit_in(chosen.line).names == nullptr ? restoring{chosen}.run() : restore_device(chosen);
 }
 
 } // namespace tool

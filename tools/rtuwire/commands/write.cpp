@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
+#include "commands/device_commands.hpp"
 #include "line/asked_registers.hpp"
 #include "line/end_wish.hpp"
 #include "line/line_words.hpp"
@@ -40,8 +42,9 @@ std::string shown(held_text const& text) { return text.value_or(unknown); }
 
 class writing {
 public:
-    explicit writing(choices const& chosen)
-        : chosen_{chosen}, unit_{unit_to_change(chosen)}, results_{chosen.form, true}
+    /// Of the words that were typed, or of values that are ready.
+    explicit writing(choices const& chosen, std::vector<value_to_write> given = {})
+        : chosen_{chosen}, unit_{unit_to_change(chosen)}, given_{std::move(given)}, results_{chosen.form, true}
     {
         results_.need_reader();
     }
@@ -50,6 +53,11 @@ public:
     {
         refuse_wrong_log();
         open_line line{chosen_.line};
+        return run(line);
+    }
+
+    exit_status run(open_line& line)
+    {
         rules_ = rules_to_write(line, unit_, chosen_.allowed);
         refuse_menu_number();
         std::vector<value_to_write> const values = checked(line);
@@ -84,7 +92,11 @@ public:
 private:
     std::vector<value_to_write> checked(open_line& line) const
     {
-        return checked_values(chosen_.words, line, unit_, rules_, chosen_);
+        if (given_.empty()) {
+            return checked_values(chosen_.words, line, unit_, rules_, chosen_);
+        }
+        refuse_unsafe_values(given_, rules_, chosen_);
+        return given_;
     }
 
     /// Of a unit that was said to be no drive, a number is an address; where it is or may be one, it may mean another register.
@@ -327,11 +339,22 @@ private:
 
     choices const& chosen_;
     named_unit unit_;
+    std::vector<value_to_write> given_;
     write_rules rules_{};
     output results_;
 };
 
 } // namespace
+
+exit_status write_values(choices const& chosen, open_line& line, std::vector<value_to_write> values)
+{
+    choices named = chosen;
+    named.words.clear();
+    for (value_to_write const& each : values) {
+        named.words.push_back(each.where.name);
+    }
+    return writing{named, std::move(values)}.run(line);
+}
 
 exit_status run_write(choices const& chosen)
 {

@@ -72,30 +72,6 @@ std::string* place_of(identity_words& who, std::uint8_t object)
     }
 }
 
-/// The basic objects, page by page.
-errc read_identity(open_line& line, rtuwire::unit_id unit, identity_words& who)
-{
-    for (std::uint8_t object = 0;;) {
-        auto const page =
-            line.ask(unit, rtuwire::read_device_identification{rtuwire::identification_access::basic, object});
-        if (not page) {
-            return page.error();
-        }
-        for (auto at = page->first(); at; at = page->after(*at)) {
-            if (std::string* const place = place_of(who, at->id)) {
-                *place = text_of_bytes(at->value);
-            }
-        }
-        if (not page->more_follows) {
-            return errc::none;
-        }
-        if (page->next_object <= object) {
-            return errc::malformed;
-        }
-        object = page->next_object;
-    }
-}
-
 /// The first register for driving that one drive has, and another has not at all.
 std::optional<std::uint16_t> only_in(drive_catalog const& one, drive_catalog const& other)
 {
@@ -285,6 +261,29 @@ void recognise_by_registers(open_line& line, rtuwire::unit_id unit, errc outcome
 }
 
 } // namespace
+
+errc read_identity(open_line& line, rtuwire::unit_id unit, identity_words& who)
+{
+    for (std::uint8_t object = 0;;) {
+        auto const page =
+            line.ask(unit, rtuwire::read_device_identification{rtuwire::identification_access::basic, object});
+        if (not page) {
+            return page.error();
+        }
+        for (auto at = page->first(); at; at = page->after(*at)) {
+            if (std::string* const place = place_of(who, at->id)) {
+                *place = text_of_bytes(at->value);
+            }
+        }
+        if (not page->more_follows) {
+            return errc::none;
+        }
+        if (page->next_object <= object) {
+            return errc::malformed;
+        }
+        object = page->next_object;
+    }
+}
 
 identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
 {

@@ -27,6 +27,9 @@ struct identity_words {
     bool may_be_drive{false}; ///< which one is not known: it is of a family, or has the registers of one
 };
 
+/// What it says of itself by function 43: the basic objects, page by page. Why it does not.
+rtuwire::errc read_identity(open_line& line, rtuwire::unit_id unit, identity_words& who);
+
 /// Asks for its identification; then, where that leaves several drives or none, reads registers that tell them apart.
 /// It writes nothing.
 identity_words who_is_it(open_line& line, rtuwire::unit_id unit);

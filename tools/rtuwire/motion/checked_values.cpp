@@ -39,6 +39,17 @@ void refuse_overlap(std::vector<value_to_write> const& before, value_to_write co
 
 } // namespace
 
+void refuse_unsafe_values(std::vector<value_to_write> const& values, write_rules const& rules, choices const& chosen)
+{
+    if (rules.drive != nullptr) {
+        refuse_for_safety("the unit is an " + std::string{rules.drive->name} +
+                          ", whose settings are restored by what is known of it: leave out --device");
+    }
+    for (value_to_write const& each : values) {
+        refuse_if_wrong(each, rules, chosen);
+    }
+}
+
 std::vector<value_to_write> checked_values(std::vector<std::string> const& words, open_line& line,
                                            named_unit const& unit, write_rules const& rules, choices const& chosen)
 {

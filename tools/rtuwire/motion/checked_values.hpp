@@ -20,4 +20,8 @@ namespace tool {
 std::vector<value_to_write> checked_values(std::vector<std::string> const& words, open_line& line,
                                            named_unit const& unit, write_rules const& rules, choices const& chosen);
 
+/// Ends the command where values of a register file may not be written to a unit of these rules: it is a drive, one of them
+/// commands a motor, or moves something.
+void refuse_unsafe_values(std::vector<value_to_write> const& values, write_rules const& rules, choices const& chosen);
+
 } // namespace tool

@@ -34,11 +34,6 @@ named_choice const* choice_of(named_place const& named, cell const& value)
     return found == named.choices.end() ? nullptr : &*found;
 }
 
-bool is_invalid(named_place const& named, std::span<std::uint16_t const> words)
-{
-    return not named.invalid.empty() and std::ranges::count(named.invalid, bits_of(named.where, words)) != 0;
-}
-
 /// "at least -10 degC and at most 95.5 degC".
 std::string text_of_limits(named_place const& named)
 {
@@ -50,9 +45,14 @@ std::string text_of_limits(named_place const& named)
 
 } // namespace
 
+bool is_no_value(named_place const& named, std::span<std::uint16_t const> words)
+{
+    return not named.invalid.empty() and std::ranges::count(named.invalid, bits_of(named.where, words)) != 0;
+}
+
 formed_value value_of(named_place const& named, std::span<std::uint16_t const> words)
 {
-    if (is_invalid(named, words)) {
+    if (is_no_value(named, words)) {
         return {{}, "no value (" + hex_words(words) + ')'};
     }
     formed_value formed = value_of(named.where, words);
@@ -67,7 +67,7 @@ formed_value value_of(named_place const& named, std::span<std::uint16_t const> w
 std::string why_not_written(named_place const& named, std::span<std::uint16_t const> words)
 {
     cell const value = value_of(named.where, words).value;
-    if (is_invalid(named, words)) {
+    if (is_no_value(named, words)) {
         return hex_words(words) + " means that " + named.where.name + " has no value";
     }
     if (not named.choices.empty() and choice_of(named, value) == nullptr) {

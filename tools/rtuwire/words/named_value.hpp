@@ -19,6 +19,9 @@ namespace tool {
 /// The words of a value that is typed, or of the name of a choice. Or why it is none that may be written.
 [[nodiscard]] words_typed words_for(named_place const& named, std::string_view text);
 
+/// Whether words mean no value.
+[[nodiscard]] bool is_no_value(named_place const& named, std::span<std::uint16_t const> words);
+
 /// Why words are never written there; empty where they are.
 [[nodiscard]] std::string why_not_written(named_place const& named, std::span<std::uint16_t const> words);
 
