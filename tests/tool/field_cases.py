@@ -172,7 +172,127 @@ def check_echo(tool, check):
         check(ended.status == NO_ANSWER and "no response in time" in ended.output, "an echo alone is no answer", ended)
 
 
-PARTS = {"echo": check_echo, "formats": check_formats, "pieces": check_pieces, "pause": check_pause}
+def reading(line, *more):
+    return ["--port", line.name, "--no-listen", "--timeout", 0.4, "--retries", 0, *more, "read"]
+
+
+def xon_taken(request):
+    """19 registers, of which software flow control takes the 11 between 51 and 79."""
+    values = [0, 0, 0, 280, 114, 6, 62968, 0, 3632, 3000, 3000, 0, 4242, 4275, 4689, 4473, 4645, 3000, 0]
+    whole = with_crc(request[:2] + bytes([38]) + b"".join(each.to_bytes(2, "big") for each in values))
+    at = whole.index(b"\x11\x79")
+    return whole[:at] + whole[at + 1:]
+
+
+# What comes to a read, how many registers that asks for, and what is to be said of it.
+CAUSES = [
+    ("W16, the first bytes lost", lambda request: good(request)[2:], "0x1234",
+     "its beginning is missing (01 03 in front gives a right CRC): a driver is released late"),
+    ("the unit alone lost", lambda request: good(request)[1:], "0x1234", "(01 in front gives a right CRC)"),
+    ("W17, a line at the wrong level", lambda request: bytes(5), "0x1234", "nothing but 00 came: the line is held"),
+    ("W01, a byte in front", lambda request: b"\xFF" + good(request), "0x1234", "1 byte in front (FF)"),
+    ("two bytes in front", lambda request: b"\xFE\xFF" + good(request), "0x1234", "--noise 2 skips as many"),
+    ("W33, Modbus TCP", lambda request: b"\x15\x5C\0\0\0\x05\x01\x03\x02\x12\x34", "0x1234", "this is Modbus TCP, transaction 5468, unit 1"),
+    ("W34, Modbus ASCII", lambda request: b":010302123480\r\n", "0x1234", "this is Modbus ASCII"),
+    ("W35, a 11 taken", xon_taken, "0x0000-0x0012", "a 11 is missing between 51 and 79"),
+]
+
+
+def check_causes(tool, check):
+    for what, said, words, told in CAUSES:
+        with UnitOnLine(said) as line:
+            ended = tool.run(*reading(line), words)
+            check(ended.status == DIFFERS and told in ended.output, f"{what}: {told}", ended)
+            rows = tool.run(*reading(line, "--json"), words).objects()
+            seen = said(line.unit.requests[-1])
+            check(all(told in row["error"] and seen.hex(" ").upper() in row["error"] for row in rows), f"{what}: for programs", rows)
+    with UnitOnLine(lambda request: good(request)[:-1] + b"!") as line:
+        ended = tool.run(*reading(line), "0x0102")
+        check("CRC mismatch: 7 bytes came: 01 03 02 01 02" in ended.output and ";" not in ended.output, "a cause that nobody knows is not made up", ended)
+
+
+def check_noise(tool, check):
+    with UnitOnLine(lambda request: b"\xFF\xFE" + good(request)) as line:
+        for noise, status in ((0, DIFFERS), (1, DIFFERS), (2, DONE), (8, DONE)):
+            ended = tool.run(*reading(line, "--noise", noise, "--json"), "0x1234")
+            check(ended.status == status, f"two bytes in front with --noise {noise}", ended)
+            check(status != DONE or ended.objects()[0]["raw"] == 0x1234, "and the value is that of the unit", ended)
+    check(tool.run("--port", "/dev/null", "--noise", 9, "read", "1").status == 2, "--noise is at most 8")
+
+
+def check_any_unit(tool, check):
+    with UnitOnLine(good) as line:
+        without = tool.run(*reading(line, "-u", 248), "0x1234")
+        check(without.status == 2 and "--any-unit" in without.errors and not line.unit.requests, "248 names the permission", without)
+        ended = tool.run(*reading(line, "-u", 248, "--any-unit", "--json"), "0x1234")
+        check(ended.status == DONE and ended.objects()[0]["raw"] == 0x1234, "W06: 248 is read", ended)
+        check(line.unit.requests[-1] == bytes.fromhex("F80312340001") + with_crc(bytes.fromhex("F80312340001"))[-2:], "by a frame to F8", line.unit.requests)
+        for unit in (0, 256, 300):
+            check(tool.run(*reading(line, "-u", unit, "--any-unit"), "0x1234").status == 2, f"{unit} is none all the same")
+        asked = len(line.unit.requests)
+        for command in (["--write", "write", "100=1"], ["stop"], ["--allow-run", "start", "--frequency", "5Hz"], ["scan"]):
+            ended = tool.run("--port", line.name, "--no-listen", "-u", 248, "--any-unit", *command)
+            check(ended.status == 2 and "--any-unit is for read, watch and identify" in ended.errors, f"no {command}", ended)
+        check(len(line.unit.requests) == asked, "and nothing is sent for it", line.unit.requests[asked:])
+
+
+def blocks(data):
+    """The types of the blocks of a pcapng file, and the bytes of its packets."""
+    at, found, packets = 0, [], []
+    while at < len(data):
+        kind, size = int.from_bytes(data[at:at + 4], "little"), int.from_bytes(data[at + 4:at + 8], "little")
+        if size < 12 or data[at + size - 4:at + size] != data[at + 4:at + 8]:
+            raise ValueError(f"block of {size} at {at}")
+        found.append(kind)
+        if kind == 6:
+            packets.append(data[at + 28:at + 28 + int.from_bytes(data[at + 20:at + 24], "little")])
+        at += size
+    return found, packets
+
+
+def check_exchange(tool, check):
+    with UnitOnLine(lambda request: good(request) if request[3] != 9 else good(request)[:-1] + b"!") as line:
+        ended = tool.run(*reading(line, "-v"), "0x0007", "0x0009")
+        request = with_crc(bytes.fromhex("010300070001")).hex(" ").upper()
+        shown = ended.errors.splitlines()
+        check(len(shown) >= 4 and shown[0].endswith("> " + request), "-v shows the request", ended)
+        check("< 01 03 02 00 07" in shown[1], "and what came", ended)
+        check(any("< 01 03 02 00 09" in each and each.endswith("damaged") for each in shown), "a damaged one as that", ended)
+        times = [float(each.split()[0]) for each in shown]
+        check(times == sorted(times) and times[-1] < 10, "one behind the other", times)
+        check(ended.output.count("> 01 03") == 0, "not among the results", ended)
+        file = tool.place / "exchange.pcapng"
+        tool.run(*reading(line, "--trace", file), "0x0007", "0x0009")
+        kinds, packets = blocks(file.read_bytes())
+        check(kinds[0] == 0x0A0D0D0A and len(packets) >= 4 and any(bytes.fromhex(request) in each for each in packets), "--trace keeps the exchange", kinds)
+        played = tool.run("replay", file)
+        check(played.status in (DONE, DIFFERS) and "01 03" not in played.errors and "2100000" not in played.output, "replay reads it", played)
+        refused = tool.run(*reading(line, "--trace", tool.place / "none" / "file"), "0x0007")
+        check(refused.status == 4 and "file" in refused.errors, "a file that cannot be written ends the command", refused)
+
+
+# What decode says of bytes that are no RTU frame.
+DECODED = [
+    ("W33", "15 5c 00 00 00 06 01 03 00 00 00 04", DIFFERS, ["Modbus TCP request", "transaction", "5468", "read holding registers"]),
+    ("W34", ":01040000001AE1", DIFFERS, ["Modbus ASCII request", "read input registers", "26", "LRC"]),
+    ("W35", "02 03 26 00 00 00 00 00 00 01 18 00 72 00 06 F5 F8 00 00 0E 30 0B B8 0B B8 00 00 10 92 10 B3 12 51 79 12 25 0B B8 00 00 0A DF",
+     DIFFERS, ["a 11 is missing between 51 and 79", "software flow control"]),
+    ("W17", "00 00 00 00 00", DIFFERS, ["nothing but 00 came"]),
+    ("W36", "01 03 40 21", DIFFERS, ["4 bytes, where its fields say at least 8", "right"]),
+    ("a good frame", "01 03 00 00 00 01 84 0A", DONE, []),
+    ("a damaged one of no known cause", "01 03 00 00 00 01 84 0B", DIFFERS, []),
+]
+
+
+def check_decoded(tool, check):
+    for what, text, status, told in DECODED:
+        ended = tool.run("decode", "-", given=text + "\n")
+        check(ended.status == status and all(each in ended.output for each in told), f"{what}: {told}", ended)
+        check(("cause" in ended.output) == (what in ("W35", "W17")), f"{what}: a cause where there is one", ended)
+
+
+PARTS = {"causes": check_causes, "noise": check_noise, "any_unit": check_any_unit, "exchange": check_exchange, "decoded": check_decoded,
+         "echo": check_echo, "formats": check_formats, "pieces": check_pieces, "pause": check_pause}
 
 
 def main(check, program, part):

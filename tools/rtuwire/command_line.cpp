@@ -144,7 +144,8 @@ std::string typed_text(CLI::Option const& option)
 /// What says which line, and who is on it: neither what allows something, nor the form of the output.
 typed_line typed_in(CLI::App const& app, std::string_view program)
 {
-    constexpr std::string_view others[] = {"help", "version", "json", "csv", "write", "allow-run", "yes"};
+    constexpr std::string_view others[] = {"help",      "version", "json",    "csv",  "write",
+                                           "allow-run", "yes",     "verbose", "trace"};
     typed_line typed;
     if (program.find('/') != std::string_view::npos) { // it may not stand where a shell looks for it
         typed.program = quoted(std::string{program});
@@ -175,6 +176,12 @@ void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
         }
     }
     static_cast<void>(names_in(line)); // refuses what is wrong together
+    constexpr std::string_view asking[] = {"read", "watch", "identify"};
+    if (line.may_be_any_unit and std::ranges::count(asking, chosen.command) == 0) {
+        refuse_word(
+            "--any-unit is for read, watch and identify: at 248 to 255 whatever hangs on the line may answer, and "
+            "nothing is changed there");
+    }
     line.is_unit_named = line.is_unit_named or app.get_option("--unit")->count() > 0;
     if (chosen.command == "simulate" and app.get_option("--port")->count() == 0) {
         line.port.clear();

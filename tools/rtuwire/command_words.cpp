@@ -51,6 +51,15 @@ void add_line_options(CLI::App& app, line_choices& line)
         ->check(CLI::Range(0, 3'000))
         ->capture_default_str();
     app.add_flag("--echo", line.has_echo, "the line gives back what is sent");
+    app.add_option("--noise", line.noise, "so many bytes in front of a response are skipped")
+        ->check(CLI::Range(0, 8))
+        ->capture_default_str();
+    app.add_flag(
+        "--any-unit", line.may_be_any_unit,
+        "take an address from 248 to 255 for --unit of read, watch and identify: whatever hangs on the line may "
+        "answer to it");
+    app.add_flag("-v,--verbose", line.is_verbose, "show each frame that is sent or comes, on the standard error");
+    app.add_option("--trace", line.trace_file, "keep them in a file for Wireshark, as capture does");
     app.add_option("--listen", line.listen, "seconds to listen before the first frame")
         ->check(why_no_number)
         ->check(CLI::Range(0.0, 3'600.0))

@@ -81,6 +81,7 @@ void check(choices const& chosen)
 std::unique_ptr<open_line> open(line_choices line)
 {
     line.retries = 0;
+    line.is_verbose = false; // the screen is full
     line.response_timeout = line.response_timeout.value_or(usual_timeout);
     return std::make_unique<open_line>(line);
 }

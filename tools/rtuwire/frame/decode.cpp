@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "frame/damage.hpp"
 #include "frame/frame_fit.hpp"
 #include "frame/frame_layouts.hpp"
 #include "frame/hex_text.hpp"
@@ -138,6 +139,37 @@ void frame_decoder::add_readings(decoded_frame& frame, byte_view bytes) const
     }
 }
 
+decoded_frame frame_decoder::explain_other_protocol(byte_view bytes, frame_piece const& piece) const
+{
+    auto const message = tcp_message_in(bytes);
+    std::size_t const header = message ? bytes.size() - message->frame.size() : 0;
+    byte_view const rest = bytes.subspan(header);
+    std::size_t const check = message ? 0 : 1;
+    decoded_frame frame{piece.offset, {bytes.begin(), bytes.end()}, false, true};
+    for (frame_role const role : roles) {
+        if (flaw_of(rest.subspan(1, rest.size() - 1 - check), role) != errc::none) {
+            continue;
+        }
+        std::size_t size = 0;
+        frame_reading reading = read(rest, role, check, size);
+        for (frame_field& each : reading.fields) {
+            each.offset += header;
+        }
+        auto const first = reading.fields.begin();
+        if (message) {
+            reading.as = "Modbus TCP " + reading.as;
+            reading.fields.insert(first, {{0, 2, "transaction", std::to_string(message->transaction)},
+                                          {2, 2, "protocol", "0, Modbus TCP: no CRC"},
+                                          {4, 2, "length", std::to_string(rest.size())}});
+        } else {
+            reading.as = "Modbus ASCII " + reading.as;
+            reading.fields.push_back({bytes.size() - 1, 1, "LRC", "right"});
+        }
+        frame.readings.push_back(std::move(reading));
+    }
+    return frame;
+}
+
 decoded_frame frame_decoder::explain(byte_view bytes, frame_piece const& piece)
 {
     bool const has_right_crc = rtuwire::check_frame(bytes) == errc::none;
@@ -154,6 +186,8 @@ decoded_frame frame_decoder::explain(byte_view bytes, frame_piece const& piece)
     asked_.reset();
     if (frame.is_good()) {
         remember(bytes);
+    } else if (not has_right_crc) {
+        frame.cause = cause_of_damage(bytes);
     }
     return frame;
 }
@@ -161,6 +195,10 @@ decoded_frame frame_decoder::explain(byte_view bytes, frame_piece const& piece)
 std::vector<decoded_frame> frame_decoder::decode(byte_view run)
 {
     std::vector<decoded_frame> frames;
+    if (tcp_message_in(run) or is_ascii_message(run)) { // as a whole: its parts are no frames
+        frames.push_back(explain_other_protocol(run, {0, run.size()}));
+        return frames;
+    }
     for (frame_piece const& piece : split_frames(run)) {
         frames.push_back(explain(run.subspan(piece.offset, piece.size), piece));
     }

@@ -32,6 +32,7 @@ struct decoded_frame {
     bool is_whole; ///< its length is what its fields say
     /// One that is certain, or all that are possible.
     std::vector<frame_reading> readings{};
+    std::string cause{}; ///< of a wrong CRC, and its remedy; empty where the bytes tell none
 
     bool is_good() const { return has_right_crc and is_whole; }
 };
@@ -58,6 +59,7 @@ private:
     };
 
     [[nodiscard]] decoded_frame explain(rtuwire::byte_view bytes, frame_piece const& piece);
+    [[nodiscard]] decoded_frame explain_other_protocol(rtuwire::byte_view bytes, frame_piece const& piece) const;
     [[nodiscard]] bool is_answer(rtuwire::byte_view frame) const;
     void remember(rtuwire::byte_view frame);
     void add_readings(decoded_frame& frame, rtuwire::byte_view bytes) const;

@@ -20,6 +20,9 @@ void frame_printer::put(decoded_frame const& frame, std::string const& whole, st
         if (not reading.flaw.empty()) {
             put(frame, reading, {0, 0, "flaw", reading.flaw});
         }
+        if (not frame.cause.empty()) {
+            put(frame, reading, {0, 0, "cause", frame.cause});
+        }
     }
 }
 

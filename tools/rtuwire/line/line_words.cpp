@@ -34,7 +34,9 @@ rtuwire::unit_id address_in(std::string_view word, std::string const& of)
     auto const number = number_in(word);
     auto const unit = number ? rtuwire::unit_id::checked(*number) : rtuwire::errc::malformed;
     if (not unit) {
-        refuse_word("'" + std::string{word} + "' in '" + of + "' is no address of a unit: 1 to 247");
+        bool const is_reserved = number and rtuwire::unit_id::checked_reserved(*number);
+        refuse_word("'" + std::string{word} + "' in '" + of + "' is no address of a unit: 1 to 247" +
+                    (is_reserved ? "; read, watch and identify take 248 to 255 with --any-unit" : ""));
     }
     return *unit;
 }
@@ -156,7 +158,10 @@ named_unit unit_in(line_choices const& line)
         refuse_word("'" + line.unit + "' is neither an address nor a name given by --name" +
                     suggestion(line.unit, known));
     }
-    named_unit chosen = found ? *found : named_unit{address_in(line.unit, "--unit")};
+    auto const reserved = line.may_be_any_unit and number
+                              ? rtuwire::unit_id::checked_reserved(*number)
+                              : rtuwire::result<rtuwire::unit_id>{rtuwire::errc::invalid_unit};
+    named_unit chosen = found ? *found : named_unit{reserved ? *reserved : address_in(line.unit, "--unit")};
     chosen.drive = line.drive.empty() ? chosen.drive : line.drive;
     if (is_register_file(chosen.drive)) {
         chosen.names = &register_file_at(chosen.drive);

@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "frame/damage.hpp"
 #include "frame/hex_text.hpp"
 #include "line/line_words.hpp"
 #include "line/traffic.hpp"
@@ -40,6 +41,7 @@ rtuwire::client_options options_in(line_choices const& chosen)
     options.late_response = seconds_in(chosen.late_response);
     options.retries = static_cast<std::uint8_t>(chosen.retries);
     options.has_line_echo = chosen.has_echo;
+    options.max_leading_noise = static_cast<std::uint8_t>(chosen.noise);
     return options;
 }
 
@@ -69,8 +71,10 @@ any_port open_port(line_choices const& chosen, line_setting const& how)
 line_setting setting_in(line_choices const& line) { return {baud_in(line.baud), format_in(line.format)}; }
 
 open_line::open_line(line_choices const& chosen, line_setting const& how)
-    : port_{open_port(chosen, how)}, options_{options_in(chosen)}, client_{port_, port_.timing(), options_}
+    : port_{open_port(chosen, how)}, options_{options_in(chosen)}, exchange_{exchange_log::of(chosen, how, port_)},
+      client_{port_, port_.timing(), options_}
 {
+    client_.trace_to(exchange_);
     if (not chosen.must_not_listen and not port_.is_simulated()) {
         refuse_traffic(port_, seconds_in(chosen.listen));
     }
@@ -104,7 +108,12 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
     }
     auto const refused = client_.refused();
     if (not refused) {
-        return text;
+        bool const is_silence = why == errc::timed_out or why == errc::device_vanished;
+        return text +
+               (is_silence and port_.device().ends_with(":502")
+                    ? " (RTU frames with a CRC were sent: port 502 is as a rule Modbus TCP, which this program does "
+                      "not speak; a serial device server has another port)"
+                    : "");
     }
     if (why == errc::wrong_length) {
         text +=
@@ -113,7 +122,8 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
     } else {
         text += ": " + std::to_string(refused->bytes.size()) + " bytes came";
     }
-    return text + ": " + hex_of(refused->bytes);
+    std::string const cause = why == errc::wrong_length ? "" : cause_of_damage(refused->bytes, refused->asked);
+    return text + ": " + hex_of(refused->bytes) + (cause.empty() ? "" : "; " + cause);
 }
 
 rtuwire::byte_view open_line::refused() const

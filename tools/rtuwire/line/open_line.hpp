@@ -12,6 +12,7 @@
 #include "choices.hpp"
 #include "exit_status.hpp"
 #include "line/exchange_counts.hpp"
+#include "line/exchange_log.hpp"
 #include "port/any_port.hpp"
 
 namespace tool {
@@ -58,7 +59,8 @@ public:
     void count_in(exchange_counts* counts) { counts_ = counts; }
 
     /// Why the last request failed, with the frame that was refused: "right CRC, wrong length: the unit departs from the
-    /// function's format: 6 bytes came, 5 are due: 01 83 02 00 F1 50".
+    /// function's format: 6 bytes came, 5 are due: 01 83 02 00 F1 50"; as far as the bytes tell, with the cause and its
+    /// remedy.
     std::string words_of_failure(rtuwire::errc why) const;
     /// That frame; empty where there is none.
     rtuwire::byte_view refused() const;
@@ -68,7 +70,8 @@ private:
 
     any_port port_;
     rtuwire::client_options options_;
-    rtuwire::blocking_client<any_port> client_;
+    exchange_log exchange_;
+    rtuwire::blocking_client<any_port>::traced_by<exchange_log> client_;
     exchange_counts* counts_{nullptr};
 };
 

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line/exchange_log.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "exit_status.hpp"
+#include "frame/hex_text.hpp"
+#include "line/capture_output.hpp"
+#include "line/open_line.hpp"
+#include "line/time_text.hpp"
+
+namespace tool {
+
+namespace {
+
+/// The file of this run, and the time by which both count.
+struct kept_exchange {
+    line_calendar calendar{unix_now()};
+    std::unique_ptr<capture_output> file{};
+    std::optional<rtuwire::instant> latest{}; ///< of a frame
+};
+
+kept_exchange& exchange_kept()
+{
+    static kept_exchange all;
+    return all;
+}
+
+/// The end of a request is reckoned from the bit rate: where the line has no wire, its response comes before. No frame takes
+/// longer than 5 s; what looks older comes behind a pause of an hour.
+rtuwire::traced_frame in_order(rtuwire::traced_frame frame)
+{
+    constexpr rtuwire::duration longest = rtuwire::milliseconds(5'000);
+    std::optional<rtuwire::instant>& latest = exchange_kept().latest;
+    frame.at = latest and *latest - frame.at < longest ? *latest : frame.at;
+    latest = frame.at;
+    return frame;
+}
+
+/// "14.250 s  > 01 03 00 00 00 01 84 0A", "14.262 s  < 01 03 02 00 FF damaged".
+void show_frame(rtuwire::traced_frame const& frame)
+{
+    using rtuwire::frame_verdict;
+    static std::uint64_t const begin = exchange_kept().calendar.of(frame.at);
+    std::uint64_t const ms = (exchange_kept().calendar.of(frame.at) - begin) / 1'000U;
+    std::string const text = hex_of(frame.bytes);
+    rtuwire::literal const verdict = name(frame.verdict);
+    std::fprintf(stderr, "%llu.%03u s  %c %s%s%.*s\n", static_cast<unsigned long long>(ms / 1'000U),
+                 static_cast<unsigned>(ms % 1'000U), frame.is_own ? '>' : '<', text.c_str(),
+                 frame.verdict == frame_verdict::good ? "" : "  ",
+                 frame.verdict == frame_verdict::good ? 0 : static_cast<int>(verdict.size()), verdict.begin());
+}
+
+} // namespace
+
+exchange_log exchange_log::of(line_choices const& chosen, line_setting const& how, any_port const& port)
+{
+    if (not chosen.trace_file.empty() and not exchange_kept().file) {
+        exchange_kept().file = std::make_unique<capture_output>(
+            chosen.trace_file, rtuwire::capture_options{.bits_per_second = how.baud}, port, exchange_kept().calendar);
+    }
+    exchange_log log;
+    log.is_shown_ = chosen.is_verbose;
+    return log;
+}
+
+void exchange_log::take(rtuwire::traced_frame const& frame) noexcept
+{
+    try {
+        rtuwire::traced_frame const next = in_order(frame);
+        if (is_shown_) {
+            show_frame(next);
+        }
+        if (exchange_kept().file) {
+            exchange_kept().file->put(next);
+        }
+    } catch (std::exception const& why) {
+        exchange_kept().file.reset();
+        std::fprintf(stderr, "rtuwire: %s: the trace ends here\n", why.what());
+    }
+}
+
+} // namespace tool
