@@ -85,11 +85,13 @@ TEST_CASE("a station has an address of its device's range")
     CHECK(station<gauge>{unit_id{31}}.unit() == unit_id{31});
 }
 
+/// A gauge alone on its line, which has any address.
+struct on_its_own : gauge {
+    static constexpr unit_range units{0, 255};
+};
+
 TEST_CASE("a station has a reserved address where its device's range has it, and never that of everyone")
 {
-    struct on_its_own : gauge {
-        static constexpr unit_range units{0, 255};
-    };
     for (std::uint32_t number = 0; number <= 300; ++number) {
         auto const found = station<on_its_own>::checked(number);
         REQUIRE(found.has_value() == (number >= 1 and number <= 255));

@@ -651,8 +651,9 @@ private:
     }
 
     // What it keeps, and what ends that.
-    restore_plan<Device, Words, Report> plan_; ///< how far it is, what it counts, what the drive holds of what others depend on
-    identity_check identity_;          ///< who the drive is: until the next step of the agenda
+    restore_plan<Device, Words, Report>
+        plan_;                ///< how far it is, what it counts, what the drive holds of what others depend on
+    identity_check identity_; ///< who the drive is: until the next step of the agenda
     block_walk walk_{Device::limits.read};                   ///< the block that was asked for
     write_guard guard_;                                      ///< one check
     save_procedure save_{layout};                            ///< one save
