@@ -85,10 +85,14 @@ TEST_CASE("a station has an address of its device's range")
     CHECK(station<gauge>{unit_id{31}}.unit() == unit_id{31});
 }
 
+namespace {
+
 /// A gauge alone on its line, which has any address.
 struct on_its_own : gauge {
     static constexpr unit_range units{0, 255};
 };
+
+} // namespace
 
 TEST_CASE("a station has a reserved address where its device's range has it, and never that of everyone")
 {
