@@ -648,6 +648,17 @@ def by_a_wrong_name(program, check):
     at_once(one, cases)
 
 
+def stops_beside_a_broken_file(program, check):
+    """A register file that is wrong, or is none, keeps no stop from a motor."""
+    with Motor(program) as motor, tempfile.TemporaryDirectory() as folder:
+        motor.runs_by_another()
+        config = os.path.join(folder, "rtuwire.toml")
+        with open(config, "w", encoding="utf-8") as file:
+            file.write(f'name = ["motor={UNIT}:{folder}/nothing.toml"]\n')
+        found, out, error = end(motor.tool(program, "--config", config, "--json", "stop"))
+        check(found == 0 and soon(lambda: motor.shown()[1] == 0, LIMIT), "a stop beside a broken register file", (found, out, error))
+
+
 def resets_and_misses(program, check):
     with Motor(program) as motor, tempfile.TemporaryDirectory() as folder:
         motor.suffer("fault")
@@ -671,7 +682,7 @@ def resets_and_misses(program, check):
 
 def orders(program, check):
     for each in (refused, asked, not_asked, answered, left_for_the_shell, keeps_its_sign, as_another_drive, typed, stops,
-                 stops_slowly, by_a_wrong_name, resets_and_misses):
+                 stops_slowly, by_a_wrong_name, stops_beside_a_broken_file, resets_and_misses):
         each(program, check)
 
 

@@ -30,6 +30,7 @@ struct line_choices {
     bool is_unit_named{false};                ///< by the command line or the file: it is not the 1 of nobody's choice
     std::string drive{};                      ///< empty: recognised by asking
     std::string device{};                     ///< a register file; empty: none
+    bool knows_registers{false};              ///< the command uses register files, of --device and of --name
     std::vector<std::string> names{};         ///< "fan=7:atv320"
     std::optional<double> response_timeout{}; ///< seconds; nothing: as the command thinks best
     double late_response{

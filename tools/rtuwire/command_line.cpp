@@ -256,6 +256,7 @@ void read_register_files(choices& chosen, bool has_pause)
     constexpr std::string_view by_name[]{"read", "watch", "monitor", "write", "backup", "compare", "restore"};
     line_choices& line = chosen.line;
     bool const knows_names = std::ranges::count(by_name, chosen.command) > 0;
+    line.knows_registers = knows_names;
     if (not line.device.empty() and not knows_names) {
         refuse_word(
             "--device: read, watch, monitor, write, backup, compare, restore and simulate know register files, '" +

@@ -164,7 +164,7 @@ named_unit unit_in(line_choices const& line)
     named_unit chosen = found ? *found : named_unit{reserved ? *reserved : address_in(line.unit, "--unit")};
     chosen.drive = line.drive.empty() ? chosen.drive : line.drive;
     if (is_register_file(chosen.drive)) {
-        chosen.names = &register_file_at(chosen.drive);
+        chosen.names = line.knows_registers ? &register_file_at(chosen.drive) : nullptr;
         chosen.drive = "none";
     }
     if (not line.device.empty()) {
