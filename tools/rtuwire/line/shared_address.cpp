@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include <rtuwire/serial_line.hpp>
+
 #include "frame/frame_split.hpp"
 
 namespace tool {
