@@ -234,19 +234,24 @@ void register_file_writer::mend_unit(written_register& one)
 void register_file_writer::mend_choices(written_register& one)
 {
     auto const choices = std::exchange(one.choices, {});
-    for (auto const& [said, number] : choices) {
+    for (std::pair<std::string, std::int64_t> const& each : choices) {
+        std::string const& said = each.first;
+        std::int64_t const number = each.second;
+        std::string digits = std::to_string(number);
+        std::erase(digits, '-');
         std::string word = word_of(said, "n_");
-        word = word.empty() ? "n_" + std::to_string(std::abs(number)) : word;
+        word = word.empty() ? "n_" + digits : word;
         auto const has = [&one](std::string const& text) {
             return std::ranges::any_of(one.choices,
-                                       [&text](auto const& each) { return is_same_word(each.first, text); });
+                                       [&text](auto const& other) { return is_same_word(other.first, text); });
         };
         if (has(word)) {
-            std::string const mark = '_' + std::to_string(std::abs(number));
+            std::string const mark = '_' + digits;
             word = word.substr(0, longest_written_name - mark.size()) + mark;
         }
-        bool const is_twice =
-            has(word) or std::ranges::any_of(one.choices, [&](auto const& each) { return each.second == number; });
+        bool const is_twice = has(word) or std::ranges::any_of(one.choices, [number](auto const& other) {
+                                  return other.second == number;
+                              });
         if (is_twice) {
             lose(one.place, one.name + ": '" + said + "' is a second name of " + std::to_string(number));
             continue;

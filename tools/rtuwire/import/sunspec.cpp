@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <cmath>
 
 #include "exit_status.hpp"
 #include "import/forms.hpp"
@@ -106,14 +107,12 @@ private:
         one.unit = point.text_of("units");
         if (source_value const* const factor = point.find("sf")) {
             auto const power = factor->whole_number();
-            one.scale = 1;
-            for (std::int64_t i = 0; power and i < std::min<std::int64_t>(std::abs(*power), 10); ++i) {
-                one.scale *= 10;
-            }
-            if (power and *power < 0) {
-                one.scale = 1 / one.scale;
-            } else if (not power) {
-                one.not_the_value = "it is to be multiplied by ten to the power of what " + factor->text + " holds";
+            bool const is_small = power and *power >= -10 and *power <= 10;
+            one.scale = is_small ? std::pow(10.0, std::abs(static_cast<double>(*power))) : 1;
+            one.scale = is_small and *power < 0 ? 1 / one.scale : one.scale;
+            if (not is_small) {
+                one.not_the_value = "it is to be multiplied by ten to the power of " +
+                                    (power ? factor->text : "what " + factor->text + " holds");
             }
         }
         source_value const* const symbols = point.find("symbols");
