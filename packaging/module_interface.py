@@ -19,8 +19,9 @@ import rules  # noqa: E402
 
 # Needs an operating system: a program includes this door beside the module.
 LEFT_OUT = {"port.hpp"}
-# Nor does it have the full maps of the drives, and what is done with them: a program includes their doors beside it, too.
-OF_A_MAP = re.compile(r"_parameters\.hpp|^altivar/parameters/|maintenance\.hpp")
+# Nor does it have rows: the full maps of the drives, what is done with them, and devices of its own. A program includes their
+# doors beside it, too.
+OF_A_MAP = re.compile(r"_parameters\.hpp|^altivar/parameters/|maintenance\.hpp|\brows\.hpp")
 # The page leaves out operators; those that no class has as a friend are found only where they are exported.
 OPERATOR = re.compile(r"\boperator\s*(<=>|==|[-+*/])\s*\(")
 HEAD = """\
