@@ -42,12 +42,19 @@ def check_whole_line(tool, check):
         check(ended.status == DONE and found == THERE, "three drives among 247 addresses, and nothing else", ended)
         *lines, last = ended.errors.splitlines()
         check(last.startswith("note: a drive that"), "the last line is of what it leaves", last)
-        check(5 < len(lines) and all(re.match(r"\d+ of 247, asking unit \d+, \d found", line) for line in lines),
+        check(5 < len(lines) and all(re.match(r"\d+ of 247, asking unit \d+ at 19200 8E1, \d found", line) for line in lines),
               "a line of progress now and then, where it is no terminal", lines)
         check("\r" not in ended.errors and "\x1b" not in ended.errors, "without a terminal's characters")
         shown = tool.on_terminal(*how, "scan", "--units", "1-20").output
         check("\r" in shown and "left" in shown, "a line that changes on a terminal, with the time left")
-        check(tool.run(*how, "scan", "--units", "8-12").status == NO_ANSWER, "nobody there: status 3")
+        ended = tool.run(*how, "scan", "--units", "8-12")
+        check(ended.status == NO_ANSWER, "nobody there: status 3")
+        sets = []
+        while len(sets) < 9 and (more := re.search(r"`\S+ .*scan (--units 8-9 )?.*--bauds (\S+) --formats (\S+)`", ended.errors)):
+            sets.append(more.groups()[1:])
+            ended = tool.run(*how, "scan", "--units", "8-9", "--bauds", more[2], "--formats", more[3])
+        check(len(set(sets)) == len(sets) == 4 and ("9600,19200,38400", "8N2,8O1") in sets,
+              "each scan that finds nobody leads to settings that were not tried, and the last one to none", sets)
         many = tool.run(*how, "--csv", "scan", "--units", "7", "--bauds", "9600,19200", "--formats", "8E1,8N1").rows()
         check([(row["baud"], row["format"]) for row in many]
               == [("9600", "8E1"), ("9600", "8N1"), ("19200", "8E1"), ("19200", "8N1")], "each bit rate and format", many)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Finds the units of a line: one request to each address, at each bit rate and format asked for.
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -23,17 +24,9 @@ namespace {
 
 using rtuwire::errc;
 
-/// The bit rates and formats to try, in this order.
-std::vector<line_setting> settings_of(choices const& chosen)
+/// Each bit rate in each format, in this order.
+std::vector<line_setting> settings_in(std::vector<unsigned> const& bauds, std::vector<std::string> const& formats)
 {
-    auto bauds = chosen.scan.bauds;
-    auto formats = chosen.scan.formats;
-    if (bauds.empty()) {
-        bauds.push_back(chosen.line.baud);
-    }
-    if (formats.empty()) {
-        formats.push_back(chosen.line.format);
-    }
     std::vector<line_setting> settings;
     for (unsigned const baud : bauds) {
         for (std::string const& format : formats) {
@@ -41,6 +34,38 @@ std::vector<line_setting> settings_of(choices const& chosen)
         }
     }
     return settings;
+}
+
+std::vector<line_setting> settings_of(choices const& chosen)
+{
+    auto const& bauds = chosen.scan.bauds;
+    auto const& formats = chosen.scan.formats;
+    return settings_in(bauds.empty() ? std::vector{chosen.line.baud} : bauds,
+                       formats.empty() ? std::vector{chosen.line.format} : formats);
+}
+
+/// What is tried where nobody answers: each set of settings behind the ones before it.
+struct setting_set {
+    std::vector<unsigned> bauds;
+    std::vector<std::string> formats;
+};
+
+std::vector<setting_set> const& usual_settings()
+{
+    static std::vector<setting_set> const all{{{9600, 19200, 38400}, {"8E1", "8N1"}},
+                                              {{9600, 19200, 38400}, {"8N2", "8O1"}},
+                                              {{4800, 57600, 115200}, {"8E1", "8N1", "8N2"}},
+                                              {{1200, 2400}, {"8E1", "8N1", "8N2"}}};
+    return all;
+}
+
+template <typename List, typename Text> std::string joined(List const& list, Text text)
+{
+    std::string all;
+    for (auto const& each : list) {
+        all += (all.empty() ? "" : ",") + text(each);
+    }
+    return all;
 }
 
 class scan {
@@ -63,9 +88,12 @@ public:
         }
         bar_.clear();
         results_.finish();
-        std::string const sentence = count_ > 0 or noted_signal() != 0 ? left_.sentence() : nobody_text();
-        if (not sentence.empty()) {
-            std::fprintf(stderr, "note: %s\n", plain_text(sentence).c_str());
+        bool const is_nobody = count_ == 0 and noted_signal() == 0;
+        for (std::string const& each :
+             {is_nobody ? nobody_text() : next_text(), is_nobody ? std::string{} : left_.sentence()}) {
+            if (not each.empty()) {
+                std::fprintf(stderr, "note: %s\n", plain_text(each).c_str());
+            }
         }
         if (noted_signal() != 0) {
             std::fprintf(stderr, "ended after %zu addresses%s\n", done_,
@@ -84,7 +112,8 @@ private:
             if (noted_signal() != 0 or not results_.is_open()) {
                 return false;
             }
-            bar_.show(done_, ", asking unit " + std::to_string(unit) + ", " + std::to_string(count_) + " found");
+            bar_.show(done_, ", asking unit " + std::to_string(unit) + " at " + words_of(how) + ", " +
+                                 std::to_string(count_) + " found" + last_found_);
             if (not log_.is_done(how, unit)) {
                 if (not line) {
                     line = std::make_unique<open_line>(choices_here(), how);
@@ -148,8 +177,7 @@ private:
     {
         std::string settings;
         for (line_setting const& each : settings_) {
-            settings += (settings.empty() ? "" : ", ") + std::to_string(each.baud) + ' ' +
-                        std::string{name_of_format(each.format)};
+            settings += (settings.empty() ? "" : ", ") + words_of(each);
         }
         std::string const addresses = units_.size() == 1 ? "1 address" : std::to_string(units_.size()) + " addresses";
         std::string text =
@@ -157,18 +185,40 @@ private:
             text_of_cell(cell{chosen_.line.response_timeout.value_or(scan_timeout)}) +
             " s each. Next: is the unit powered, are its two wires at the adapter's A and B (swap them once), "
             "and which address, bit rate and format does its keypad show?";
-        if (settings_.size() == 1) {
-            text += " `" + other_settings() + "` tries the usual ones";
-        }
-        return text;
+        std::string const more = other_settings();
+        return more.empty() ? text : text + " `" + more + "` tries the next ones";
     }
 
+    bool is_asked(setting_set const& set) const
+    {
+        return std::ranges::all_of(settings_in(set.bauds, set.formats), [this](line_setting const& each) {
+            return std::ranges::any_of(settings_, [&each](line_setting const& asked) {
+                return asked.baud == each.baud and asked.format == each.format;
+            });
+        });
+    }
+
+    /// The command that asks behind the last set of settings that this one has asked at; empty behind all.
     std::string other_settings() const
     {
+        auto const& sets = usual_settings();
+        auto const last = std::find_if(sets.rbegin(), sets.rend(), [this](auto const& each) { return is_asked(each); });
+        auto const next = last.base();
+        if (next == sets.end()) {
+            return {};
+        }
         line_choices line = chosen_.line;
         line.typed.rate.clear();
+        std::string const bauds = joined(next->bauds, [](unsigned each) { return std::to_string(each); });
+        std::string const formats = joined(next->formats, [](std::string const& each) { return each; });
         return shown_command(line,
-                             "scan --units " + chosen_.scan.units + " --bauds 9600,19200,38400 --formats 8E1,8N1");
+                             "scan --units " + chosen_.scan.units + " --bauds " + bauds + " --formats " + formats);
+    }
+
+    /// What is next where somebody is there that is no drive of this program.
+    std::string next_text() const
+    {
+        return unknown_.empty() ? std::string{} : "which registers has it? `" + unknown_ + "` asks, and only reads";
     }
 
     void note(line_setting const& how, rtuwire::unit_id unit, identity_words const& who)
@@ -176,6 +226,15 @@ private:
         record const line = record_of(how, unit, who);
         log_.note_found(how, unit.byte(), line);
         show(line);
+        last_found_ = ": unit " + std::to_string(unit.byte()) + " at " + words_of(how);
+        if (who.drive.empty() and unknown_.empty()) {
+            unknown_ = shown_command(line_at(how), unit, "map");
+        }
+    }
+
+    static std::string words_of(line_setting const& how)
+    {
+        return std::to_string(how.baud) + ' ' + name_of_format(how.format);
     }
 
     static record record_of(line_setting const& how, rtuwire::unit_id unit, identity_words const& who)
@@ -229,6 +288,8 @@ private:
     left_alone left_{};
     std::size_t done_{0};
     std::size_t count_{0};
+    std::string last_found_{};
+    std::string unknown_{}; ///< the command that asks the first one that is no drive for its registers
     bool has_listened_{false};
     bool has_echo_{false};
 };
