@@ -19,6 +19,9 @@ WRONG = [
     (["read", "RFR", "--baudd", "9600"], ["'--baudd' is no option", "'--baud'"]),
     (["read"], ["REG"]),
     (["list", "--drive", "atv99"], ["atv99"]),
+    # What begins with a digit, is no number and has a point, of what is no drive.
+    (["--port", CABINET, "-d", "none", "read", "32O1.3"], ["32O1.3", "0 to 65535"]),
+    (["--port", CABINET, "-d", "none", "-u", "7", "read", "40", "4a.3"], ["4a.3", "0 to 65535"]),
     (["--json", "--csv", "list"], ["--json", "--csv"]),
     (["--port", "sim:atv320", "--unit", "248", "read", "RFR"], ["248", "1 to 247"]),
     (["--port", "sim:atv320", "--unit", "fan", "read", "RFR"], ["fan", "--name"]),

@@ -102,6 +102,10 @@ TEST_CASE("without a drive there are only numbers")
     CHECK(selected({"RFR"}, nullptr) == "no_drive");
     CHECK(selected({"@monitor"}, nullptr) == "no_drive");
     CHECK(selected({"7.fault"}, nullptr) == "unknown_bit");
+    for (std::string_view const wrong : {"32O1.3", "0x1g.2", "4a.3", "7-9.3", "99999.1", "3."}) {
+        INFO(wrong);
+        CHECK(selected({wrong}, nullptr) == (wrong == "3." ? "unknown_bit" : "wrong_address"));
+    }
 }
 
 TEST_CASE("a place needs no drive, and a drive's words mean what they meant")

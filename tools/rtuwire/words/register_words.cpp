@@ -235,6 +235,9 @@ refusal_or_none collector::add_bit(std::string_view word, std::size_t dot)
     std::replace(name.begin(), name.end(), '-', '_');
     auto const plain = word_number(code);
     register_entry const* entry = drive_ == nullptr ? nullptr : plain ? drive_->at(*plain) : drive_->by_code(code);
+    if (drive_ == nullptr and not plain) {
+        return unknown("wrong_address", word, "an address is a number from 0 to 65535, such as 3201.3 with a bit", "");
+    }
     if (entry == nullptr and not plain) {
         return unknown("unknown_register", word, std::string{code} + " " + not_among(*drive_),
                        nearest_word(code, codes_of(*drive_)));
