@@ -63,6 +63,10 @@ WRONG_FILES = [
     ('format = "7E1"', "1:10", ["7E1"]),
     ('name = [\n "fan=7:atv320",\n "pump"\n]', "3:2", ["pump", "fan=7"]),
     ('name = [\n "fan=7:atv320"\n "pump=3"\n]', "3:2", []),
+    # What the parser of Debian 12 asserts.
+    *((f'port = "sim:atv320"\n{line}\n[line]\n', "2:1", ["a table's header has a name"])
+      for line in ("[", "[[", "[ ", "[=", "[.a]", "[[#", "[,]]", "[\t=")),
+    ("[=", "1:1", ["a table's header"]),
     ('name = ["fan=7:atv99"]', "1:9", ["atv99"]),
     ('port = "sim:atv320\n', "1:", ["does not end on its line"]),
     ('port = "sim:atv320"\nport = "sim:atv12"', "2:", ["port", "redefine"]),

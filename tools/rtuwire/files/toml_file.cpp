@@ -3,6 +3,7 @@
 #include "files/toml_file.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "exit_status.hpp"
 #include "words/suggestion.hpp"
@@ -16,6 +17,28 @@ std::string_view trimmed(std::string_view text)
     constexpr std::string_view blank = " \t\r";
     std::size_t const first = std::min(text.find_first_not_of(blank), text.size());
     return text.substr(first, text.find_last_not_of(blank) + 1 - first);
+}
+
+/// Nothing where the parser asserts what does not hold.
+std::optional<toml::parse_result> parsed_or_nothing(std::string_view text, std::string const& file)
+{
+    try {
+        return toml::parse(text, std::string_view{file});
+    } catch (toml_assertion const&) {
+        return std::nullopt;
+    }
+}
+
+/// The line at whose end the parser asserts: none before it makes it do so.
+toml::source_index line_of_assertion(std::string_view text, std::string const& file)
+{
+    std::vector<std::size_t> ends;
+    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
+        ends.push_back(at + 1);
+    }
+    auto const first = std::ranges::partition_point(
+        ends, [&](std::size_t end) { return parsed_or_nothing(text.substr(0, end), file).has_value(); });
+    return static_cast<toml::source_index>(first - ends.begin() + 1);
 }
 
 } // namespace
@@ -51,12 +74,16 @@ toml::table toml_in(std::string const& file, std::string const& text)
     if (text.find('\0') != text.npos) {
         refuse_word(file + ": a byte is zero: it is no text");
     }
-    toml::parse_result parsed = toml::parse(std::string_view{text}, std::string_view{file});
+    auto parsed = parsed_or_nothing(text, file);
     if (not parsed) {
-        toml::source_region const& where = parsed.error().source();
-        refuse_at(file, where, std::string{parsed.error().description()} + hint_at_text(text, where));
+        toml::source_position const where{line_of_assertion(text, file), 1};
+        refuse_at(file, {where, where, nullptr}, "this line is no TOML; a table's header has a name: [name]");
     }
-    return std::move(parsed).table();
+    if (not *parsed) {
+        toml::source_region const& where = parsed->error().source();
+        refuse_at(file, where, std::string{parsed->error().description()} + hint_at_text(text, where));
+    }
+    return std::move(*parsed).table();
 }
 
 void check_keys(std::string const& file, toml::table const& from, std::vector<std::string_view> const& known,

@@ -8,10 +8,24 @@
 #include <string_view>
 #include <vector>
 
+namespace tool {
+
+/// What the parser asserts of its text does not hold: that of Debian 12 asserts that a header has a name.
+struct toml_assertion {};
+
+[[noreturn]] inline void refuse_assertion() { throw toml_assertion{}; }
+
+} // namespace tool
+
+// With NDEBUG the parser would believe what it asserts.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(expr) ((expr) ? static_cast<void>(0) : ::tool::refuse_assertion())
 #define TOML_HEADER_ONLY 1
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace tool {
 
