@@ -41,6 +41,11 @@ WRONG = [
     (["--port", CABINET, "--name", "3=7", "-u", "3", "identify"], ["'3=7'", "digit"]),
     (["--port", CABINET, "--name", "3-7=7", "-u", "3", "identify"], ["'3-7=7'", "digit"]),
     (["--port", CABINET, "--name", "a,b=7", "identify"], ["'a,b=7'", "comma"]),
+    (["--port", CABINET, "--name", "m=7", "--name", "M=3", "-u", "m", "identify"], ["'m' of unit 7", "'M' of unit 3"]),
+    (["--port", CABINET, "-u", "7,", "read", "RFR"], ["'7,'", "missing at a comma"]),
+    (["--port", CABINET, "-u", "7,,3", "read", "RFR"], ["'7,,3'", "missing at a comma"]),
+    (["--port", CABINET, "-u", "-1", "read", "RFR"], ["'-1' in '-1' is neither", "1 to 247"]),
+    (["--port", CABINET, "-u", "3-", "read", "RFR"], ["'3-' in '3-' is neither"]),
     # What changes something takes no unit by itself.
     (["--port", CABINET, "--write", "write", "ACC=1s"], ["which unit?", "--unit"]),
     (["--port", CABINET, "--write", "reset"], ["which unit?", "--unit"]),
@@ -81,6 +86,10 @@ WRONG_FILES = [
     ('name = ["fan=7:atv320", "fan=3:atv12"]', "1:25", ["'fan'", "unit 7", "unit 3"]),
     ('name = ["3=7"]', "1:9", ["'3=7'", "digit"]),
     ("port = " + 3_000 * "[", "1:", []),
+    ("retries = 1.5", "1:11", ["'1.5' is no whole number"]),
+    ("baud = 19200.5", "1:8", ["no whole number"]),
+    ('pause = "0.5"', "1:9", ["no whole number"]),
+    ("baud = 1e9", "1:8", ["1 to 10000000"]),
 ]
 
 COMPLETED = [

@@ -50,5 +50,7 @@ TEST_CASE("a number means the same to whoever reads it, in JSON and in CSV")
     }
     CHECK(text_of(limits::infinity()) == "{\"value\":null}\n");
     CHECK(tool::text_of_cell(50.0) == "50");
+    CHECK(tool::text_of_cell(100'000.0) == "100000");
+    CHECK(tool::text_of_cell(-3e14) == "-300000000000000");
     CHECK(tool::text_of_cell(230.1) == "230.1");
 }

@@ -27,11 +27,21 @@ void add_line_options(CLI::App& app, line_choices& line)
 {
     app.add_option("-p,--port", line.port,
                    "/dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3, sim:meter.toml:61 or a capture file");
-    app.add_option("-u,--unit", line.unit,
-                   "the unit's address, or a name given by --name; for read, watch and monitor a list, 2,5,10-14, or "
-                   "-u 2 -u 5")
-        ->join(',')
-        ->capture_default_str();
+    // A list as it is typed: CLI11 would drop what is empty between its commas.
+    app.add_option_function<std::vector<std::string>>(
+           "-u,--unit",
+           [&line](std::vector<std::string> const& typed) {
+               line.unit = typed.front();
+               for (std::size_t i = 1; i < typed.size(); ++i) {
+                   line.unit += ',' + typed[i];
+               }
+           },
+           "the unit's address, or a name given by --name; for read, watch and monitor a list, 2,5,10-14, or "
+           "-u 2 -u 5")
+        ->allow_extra_args(false)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->default_str(line.unit);
     app.add_option("-b,--baud", line.baud, "bits a second")->capture_default_str();
     app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
     app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it; none: it is no drive");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iomanip>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -31,10 +32,19 @@ double number_in(std::string const& word, double lowest, double highest)
     double const number = std::strtod(word.c_str(), &end);
     if (word.empty() or *end != '\0' or not(number >= lowest and number <= highest)) {
         std::ostringstream text;
-        text << "'" << word << "' is no number from " << lowest << " to " << highest;
+        text << std::setprecision(10) << "'" << word << "' is no number from " << lowest << " to " << highest;
         refuse_word(text.str());
     }
     return number;
+}
+
+unsigned whole_in(std::string const& word, unsigned lowest, unsigned highest)
+{
+    double const number = number_in(word, lowest, highest);
+    if (number != std::floor(number)) {
+        refuse_word("'" + word + "' is no whole number");
+    }
+    return static_cast<unsigned>(number);
 }
 
 std::string drive_in(std::string const& word)
@@ -70,10 +80,7 @@ constexpr option options[] = {
          line.unit = word;
          line.is_unit_named = true;
      }},
-    {"baud",
-     [](line_choices& line, std::string const& word) {
-         line.baud = baud_in(static_cast<unsigned>(number_in(word, 1, 10'000'000)));
-     }},
+    {"baud", [](line_choices& line, std::string const& word) { line.baud = baud_in(whole_in(word, 1, 10'000'000)); }},
     {"format",
      [](line_choices& line, std::string const& word) {
          static_cast<void>(format_in(word));
@@ -90,10 +97,8 @@ constexpr option options[] = {
      }},
     {"timeout",
      [](line_choices& line, std::string const& word) { line.response_timeout = number_in(word, 0.001, 30); }},
-    {"retries",
-     [](line_choices& line, std::string const& word) { line.retries = static_cast<unsigned>(number_in(word, 0, 10)); }},
-    {"pause", [](line_choices& line,
-                 std::string const& word) { line.pause = static_cast<unsigned>(number_in(word, 0, 3'000)); }},
+    {"retries", [](line_choices& line, std::string const& word) { line.retries = whole_in(word, 0, 10); }},
+    {"pause", [](line_choices& line, std::string const& word) { line.pause = whole_in(word, 0, 3'000); }},
     {"echo",
      [](line_choices& line, std::string const& word) {
          if (word != "true" and word != "false") {

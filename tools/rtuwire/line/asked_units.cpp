@@ -116,8 +116,11 @@ std::vector<named_unit> units_asked(line_choices const& line)
         return {unit_in(line)};
     }
     std::vector<named_unit> units;
-    std::istringstream parts{line.unit};
+    std::istringstream parts{line.unit + ','};
     for (std::string part; std::getline(parts, part, ',');) {
+        if (part.empty()) {
+            refuse_word("'" + line.unit + "' in --unit: a unit is missing at a comma; it looks like 3,7-9");
+        }
         add_part(units, line, part);
     }
     if (units.empty()) {

@@ -74,6 +74,10 @@ void refuse_contradiction(named_unit const& before, named_unit const& one)
     if (before.name == one.name) {
         refuse_word("the name '" + one.name + "' is given twice, to unit " + units[0] + " and to unit " + units[1]);
     }
+    if (is_same_word(before.name, one.name)) {
+        refuse_word("the names '" + before.name + "' of unit " + units[0] + " and '" + one.name + "' of unit " +
+                    units[1] + " differ in nothing but capital letters");
+    }
     bool const has_two_types = not before.drive.empty() and not one.drive.empty() and before.drive != one.drive;
     if (before.unit == one.unit and has_two_types) {
         refuse_word("unit " + units[1] + " has two types: " + before.name + " is an " + before.drive + ", " + one.name +
@@ -111,10 +115,12 @@ std::vector<std::uint8_t> units_in(std::string const& word)
     std::set<std::uint8_t> units;
     for (std::string_view const part : parts_of(word, ',')) {
         auto const ends = parts_of(part, '-');
-        unsigned const first = address_in(ends[0], word).byte();
-        unsigned const last = address_in(ends.back(), word).byte();
-        if (ends.size() > 2 or last < first) {
-            refuse_word("'" + std::string{part} + "' in '" + word + "' is no range of addresses: it looks like 1-247");
+        bool const is_range = ends.size() <= 2 and std::ranges::none_of(ends, &std::string_view::empty);
+        unsigned const first = is_range ? address_in(ends[0], word).byte() : 1;
+        unsigned const last = is_range ? address_in(ends.back(), word).byte() : 0;
+        if (last < first) {
+            refuse_word("'" + std::string{part} + "' in '" + word +
+                        "' is neither an address of a unit, 1 to 247, nor a range of them, such as 1-247");
         }
         for (unsigned each = first; each <= last; ++each) {
             units.insert(static_cast<std::uint8_t>(each));

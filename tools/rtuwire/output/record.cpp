@@ -3,6 +3,7 @@
 #include "output/record.hpp"
 
 #include <charconv>
+#include <cmath>
 
 namespace tool {
 
@@ -16,7 +17,9 @@ struct to_text {
     std::string operator()(double value) const
     {
         char text[32];
-        auto const end = std::to_chars(text, text + sizeof text, value);
+        bool const is_whole = value == std::trunc(value) and std::abs(value) < 1e15; // 100000, not 1e+05
+        auto const end = is_whole ? std::to_chars(text, text + sizeof text, value, std::chars_format::fixed)
+                                  : std::to_chars(text, text + sizeof text, value);
         return {text, end.ptr};
     }
     std::string operator()(std::string const& value) const { return value; }
