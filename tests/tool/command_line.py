@@ -235,13 +235,29 @@ def check_stop(tool, check):
         check(ended.status == NO_ANSWER and ("that was unit 1" in ended.output) == is_told, f"{words} stop says its unit", ended)
 
 
+def check_stop_beside(tool, check):
+    """A file that is wrong keeps no stop from a unit whose port and address are typed; of another nothing is guessed."""
+    for text in ("[\n", "baud = 9600\nretries = 1.5\n", 'name = ["fan=7\n', "\0"):
+        (tool.place / "rtuwire.toml").write_text(text)
+        ended = tool.run("--port", CABINET, "--timeout", "0.05", "-u", 7, "--json", "stop")
+        check(ended.status == DONE and "note: rtuwire.toml" in ended.errors and "left out: it stops at 19200 bit/s, 8E1" in ended.errors,
+              f"{text!r}: a stop whose line is typed", ended)
+        for words in ((), ("--port", CABINET), ("-u", 7), ("--port", CABINET, "-u", "fan")):
+            ended = tool.run(*words, "stop")
+            is_told = "fan" in ended.errors if "fan" in words else "with --port and --unit it stops without the file" in ended.errors
+            check(ended.status == USAGE and is_told, f"{text!r}, {words}: one whose line is not", ended)
+        ended = tool.run("--port", CABINET, "-u", 7, "read", "RFR")
+        check(ended.status == USAGE and not ended.output, f"{text!r}: another command", ended)
+    (tool.place / "rtuwire.toml").unlink()
+
+
 def main(check, program):
     with Tool(program) as tool:
         for words, parts in WRONG:
             ended = tool.run(*words)
             is_named = ended.errors.startswith("rtuwire: ") and all(part in ended.errors for part in parts)
             check(ended.status == USAGE and not ended.output and is_named, f"{words} is refused", ended)
-        for part in (check_help, check_completion, check_configuration, check_times, check_stop):
+        for part in (check_help, check_completion, check_configuration, check_times, check_stop, check_stop_beside):
             part(tool, check)
 
 

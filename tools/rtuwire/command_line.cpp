@@ -107,9 +107,21 @@ std::string configure(int argc, char** argv, line_choices& line)
             read_configuration(*file, line);
         }
     } catch (ended const& why) {
+        line = {}; // nothing of a file that is wrong
         return why.what();
     }
     return {};
+}
+
+/// A file that is wrong keeps no stop from a motor whose line and address are typed; another command ends there.
+void leave_out_configuration(CLI::App const& app, choices const& chosen, std::string const& wrong)
+{
+    bool const is_typed = app.get_option("--port")->count() > 0 and app.get_option("--unit")->count() > 0;
+    if (chosen.command != "stop" or not is_typed) {
+        refuse_word(wrong + (chosen.command == "stop" ? "; with --port and --unit it stops without the file" : ""));
+    }
+    std::fprintf(stderr, "note: %s; the file is left out: it stops at %u bit/s, %s\n", plain_text(wrong).c_str(),
+                 chosen.line.baud, chosen.line.format.c_str());
 }
 
 /// A word as a shell takes it.
@@ -304,7 +316,7 @@ parsed parse(int argc, char** argv)
         return {std::nullopt, refuse(app, why)};
     }
     if (not wrong.empty()) {
-        refuse_word(wrong);
+        leave_out_configuration(app, chosen, wrong);
     }
     mend(app, chosen, of_file);
     if (chosen.command == "simulate" and not chosen.line.device.empty()) { // the device itself
