@@ -11,7 +11,7 @@ import signal
 import time
 from datetime import datetime
 
-from support import DONE, LIMIT, NO_ANSWER, USAGE, Simulator, Tool, Units, runs
+from support import DIFFERS, DONE, LIMIT, NO_ANSWER, USAGE, Simulator, Tool, Units, runs
 
 COUNT = 20  # registers
 RATE = 19_200
@@ -153,6 +153,34 @@ def check_silent_unit(tool, check):
         check(process.returncode == NO_ANSWER, "the status is that of the one that was silent to the end", process.returncode)
 
 
+GROUPS = """[[register]]
+name = "fast"
+address = 100
+group = "often"
+
+[[register]]
+name = "slow"
+address = 110
+group = "seldom"
+
+[groups]
+often = "100ms"
+seldom = "60s"
+"""
+
+
+def check_groups(tool, check):
+    """What failed the last time that it was read counts, although it was not due in the last round."""
+    (tool.place / "groups.toml").write_text(GROUPS)
+    with Units({7: {100: 1}}) as line:
+        words = ["--port", line.name, "--no-listen", "-u", 7, "--device", "groups.toml", "--json", "watch", "fast", "slow", "--for", "0.35s"]
+        ended = tool.run(*words)
+        rows = ended.objects()
+        check(ended.status == DIFFERS and rows[0]["error"] and rows[-1]["fast"] == 1 and not rows[-1]["error"], "a register that is not there", ended)
+        line.units = {7: {100: 1, 110: 2}}
+        check(tool.run(*words).status == DONE, "and one that is")
+
+
 def check_suspension(tool, check):
     """A watch that is suspended keeps nobody from the line, as from a stop; it is over when it goes on."""
     with Simulator(tool.program, "atv320:7") as device:
@@ -185,7 +213,7 @@ def check_share(tool, check):
 def main(check, program, part=""):
     with Tool(program) as tool:
         for each in (check_share,) if part == "share" else (check_period, check_reader, check_silence, check_units,
-                                                                 check_silent_unit, check_suspension):
+                                                                 check_silent_unit, check_groups, check_suspension):
             each(tool, check)
 
 

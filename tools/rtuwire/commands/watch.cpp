@@ -61,8 +61,7 @@ private:
     struct watched_unit {
         asked_registers asked;
         asked_less patience{1};
-        rtuwire::errc last_error{}; ///< of the last round in which it was read
-        std::string failure{};      ///< the same in words
+        std::string failure{}; ///< of the last round in which it was read
     };
 
     /// Registers of one unit and one period.
@@ -121,8 +120,7 @@ private:
         watched_unit& unit = units_[one.unit];
         one.reader.read(line_, unit.asked.unit.unit, has_several());
         rtuwire::errc const why = one.reader.first_error();
-        if (is_first or unit.last_error == rtuwire::errc::none) {
-            unit.last_error = why;
+        if (is_first or unit.failure.empty()) {
             unit.failure = one.reader.first_failure();
         }
         bool const is_silent = has_several() and status_of(why) == exit_status::no_answer;
@@ -191,16 +189,25 @@ private:
         line.add(column("error", unit), why.empty() ? cell{} : cell{why});
     }
 
-    /// Of the last round; of several units that of the first which lacks something.
+    /// Of the last time that each register was read; of several units that of the first which lacks something.
     exit_status status() const
     {
-        for (watched_unit const& each : units_) {
-            exit_status const its = each.asked.failure ? each.asked.failure->status : status_of(each.last_error);
-            if (its != exit_status::done) {
+        for (std::size_t i = 0; i < units_.size(); ++i) {
+            if (exit_status const its = status_of_unit(i); its != exit_status::done) {
                 return its;
             }
         }
         return exit_status::done;
+    }
+
+    exit_status status_of_unit(std::size_t which) const
+    {
+        auto const lacks = std::ranges::find_if(parts_, [which](part const& one) {
+            return one.unit == which and one.reader.first_error() != rtuwire::errc::none;
+        });
+        return units_[which].asked.failure ? units_[which].asked.failure->status
+               : lacks == parts_.end()     ? exit_status::done
+                                           : status_of(lacks->reader.first_error());
     }
 
     choices const& chosen_;
