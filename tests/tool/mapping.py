@@ -142,9 +142,13 @@ def check_end(tool, check):
         check(lines.startswith(kept) and len(set(lines.splitlines())) == len(lines.splitlines()), "nothing is asked twice", lines[-200:])
         ended = tool.run(*words, port="/dev/null")
         check(ended.status == PORT, "a port is opened all the same", ended)
-    for text, says in (("# rtuwire scan\n", "no file of a map"), ("# rtuwire map\n61 input 0 9 here\n61 input 9 10 none\n", ":3:"),
-                       ("# rtuwire map\n61 input 0 9 he", ":2:"), ("# rtuwire map\n61 input 9 0 here\n", ":2:"),
-                       ("# rtuwire map\n61 input 0 70000 here\n", ":2:"), ("# rtuwire map\n0 input 0 7 here\n", ":2:")):
+    head = "# rtuwire map\n# line 115200 8N2\n# unit 61\n# device that is not asked what it is\n# range input:0-20\n"
+    for text, says in (("# rtuwire scan\n", "no file of a map"), (head + "61 input 0 9 here\n61 input 9 10 none\n", ":7:"),
+                       (head + "61 input 0 9 he", ":6:"), (head + "61 input 9 0 here\n", ":6:"), (head[:-1], "no file of a map"),
+                       (head[:-40], "no file of a map"), ("# rtuwire map\n61 input 0 9 here\n", "no file of a map"),
+                       (head + "61 input 0 70000 here\n", ":6:"), (head + "62 input 0 7 here\n", ":6:"),
+                       (head.replace("115200", "9600"), ":2:"), (head.replace("unit 61", "unit 62"), ":3:"),
+                       (head.replace("that is not", "Acme"), ":4:"), (head.replace("0-20", "0-21"), ":5:")):
         (tool.place / "wrong.map").write_text(text)
         ended = tool.run(*QUIET, "-u", METER, "map", "input:0-20", "--resume", "wrong.map")
         check(ended.status == USAGE and says in ended.errors and (tool.place / "wrong.map").read_text() == text,
@@ -154,6 +158,44 @@ def check_end(tool, check):
     process = tool.start(*QUIET, "-u", METER, "--json", "map", "input")
     process.stdout.close()
     check(process.wait(timeout=30) in (DONE, DIFFERS), "a reader that goes away ends it", process.stderr.read())
+
+
+def named(units):
+    """Units that say what they are by function 43, in three objects; without names they refuse to."""
+    class Named(Units):
+        names = None
+
+        def answer(self, request):
+            if request[1] != 0x2B or request[0] not in self.units:
+                return super().answer(request)
+            if self.names is None:
+                return with_crc(bytes([request[0], 0xAB, 1]))
+            objects = b"".join(bytes([i, len(each)]) + each.encode() for i, each in enumerate(self.names))
+            return with_crc(bytes([request[0], 0x2B, 0x0E, 1, 1, 0, 0, len(self.names)]) + objects)
+
+    return Named(units)
+
+
+def check_another(tool, check):
+    """What another device at the address has is not taken for the rest of a map."""
+    with named({7: {each: 1 for each in range(10)}}) as line:
+        words = ["--no-listen", "--timeout", 0.2, "--retries", 0, "-u", 7, "--json", "map"]
+        for before, now in ((("Acme", "M7", "1"), ("Other", "X2", "9")), (("Acme", "M7", "1"), ("Acme", "M8", "1")),
+                            (None, ("Acme", "M7", "1")), (("Acme", "M7", "1"), None)):
+            line.names = before
+            name = f"{before and before[1]}-{now and now[1]}.map"
+            first = [tool.run(*words, "0-40", "--resume", name, port=line.name) for _ in range(2)]
+            check(all(each.status == DONE and found_in(each.objects()) == [("holding", 0, 9)] for each in first), "the same again", first)
+            kept = (tool.place / name).read_text()
+            check(before is None or " ".join(before) in kept, "who it was is kept", kept)
+            line.names = now
+            ended = tool.run(*words, "0-40", "--resume", name, port=line.name)
+            check(ended.status == USAGE and not ended.output and f"{name}:4:" in ended.errors
+                  and (tool.place / name).read_text() == kept, f"{before}, then {now}", ended)
+        for beside, at in ((["-b", 9600], 2), (["-f", "8N1"], 2)):
+            line.names = None
+            ended = tool.run(*beside, *words, "0-40", "--resume", "None-M7.map", port=line.name)
+            check(ended.status == USAGE and f":{at}:" in ended.errors, f"{beside}", ended)
 
 
 def check_silent(tool, check):
@@ -198,14 +240,14 @@ def main(check, program):
     with Tool(program) as tool, Programs() as others:
         near, tool.port = others.line()
         others.serve(near, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
-        for part in (check_kinds, check_forms, check_end, check_silent, check_drive):
+        for part in (check_kinds, check_forms, check_end, check_silent, check_drive, check_another):
             part(tool, check)
 
 
 if len(sys.argv) > 1 and sys.argv[1] == "--serve":
     asyncio.run(serve(*sys.argv[2:]))
 else:
-    from support import DIFFERS, DONE, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs
+    from support import DIFFERS, DONE, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs, with_crc
 
     from pair import Programs  # noqa: I100
 

@@ -77,6 +77,9 @@ public:
     {
         open_line line{chosen_.line};
         drive_catalog const* const drive = drive_there(line);
+        if (not chosen_.scan.resume_file.empty()) {
+            log_.begin(head_of(line));
+        }
         note_signals();
         bool is_through = true;
         try {
@@ -147,6 +150,29 @@ private:
             refuse_for_safety(what + "; to map it, say --yes");
         }
         return who.drive.empty() ? nullptr : &catalog_chosen(who.drive);
+    }
+
+    map_head head_of(open_line& line) const
+    {
+        map_head head{std::to_string(chosen_.line.baud) + ' ' + chosen_.line.format,
+                      std::to_string(unit_.unit.byte()),
+                      "that is not asked what it is",
+                      {}};
+        if (unit_.drive != no_drive) {
+            identity_words who;
+            errc const outcome = read_identity(line, unit_.unit, who);
+            if (status_of(outcome) == exit_status::port) {
+                throw ended{exit_status::port, line.port().failure()};
+            }
+            head.device = outcome == errc::none            ? who.vendor + ' ' + who.product + ' ' + who.revision
+                          : rtuwire::is_exception(outcome) ? "that does not say what it is"
+                                                           : "that does not answer what it is";
+        }
+        for (address_range const& each : ranges_) {
+            head.range += (head.range.empty() ? "" : " ") + std::string{name_of(each.space)} + ':' +
+                          std::to_string(each.first) + '-' + std::to_string(each.last);
+        }
+        return head;
     }
 
     static unsigned most_of(register_space space, drive_catalog const* drive)

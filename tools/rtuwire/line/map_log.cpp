@@ -1,11 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The file: "61 input 1000 1011 here", "61 input 0 999 none", "61 holding 7 7 other server device failure".
+// The file:
+//     # rtuwire map
+//     # line 19200 8E1
+//     # unit 61
+//     # device Acme M7 1.2
+//     # range input:0-1999
+//     61 input 1000 1011 here
+//     61 input 0 999 none
+//     61 holding 7 7 other server device failure
 #include "line/map_log.hpp"
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "exit_status.hpp"
 #include "output/plain_text.hpp"
@@ -14,9 +23,19 @@ namespace tool {
 
 namespace {
 
-constexpr char const* first_line = "# rtuwire map";
+constexpr std::string_view first_line = "# rtuwire map";
+constexpr std::string_view head_words[]{"# line ", "# unit ", "# device ", "# range "};
 constexpr std::size_t addresses = 65'536;
 constexpr std::string_view kinds[]{"unknown", "here", "none", "other"};
+
+std::vector<std::string> lines_of(map_head const& head)
+{
+    std::vector<std::string> lines;
+    for (std::string const* const each : {&head.line, &head.unit, &head.device, &head.range}) {
+        lines.push_back(std::string{head_words[lines.size()]} + plain_text(*each));
+    }
+    return lines;
+}
 
 std::size_t index_of(register_space space) { return static_cast<std::size_t>(space); }
 
@@ -33,30 +52,62 @@ map_log::map_log(std::string const& file, unsigned unit) : file_{file}, unit_{un
     }
     read(kept.text);
     out_ = appended_file{file};
-    if (kept.text.empty()) {
-        write(first_line);
-    } else if (not out_.failure().empty()) {
+    if (not out_.failure().empty()) {
         throw ended{exit_status::port, file + ": " + out_.failure()};
+    }
+}
+
+void map_log::begin(map_head const& head)
+{
+    std::vector<std::string> const now = lines_of(head);
+    for (std::size_t i = 0; i < kept_head_.size(); ++i) {
+        if (kept_head_[i] != now[i]) {
+            refuse_word("--resume " + file_ + ':' + std::to_string(i + 2) + ": the map was begun with '" +
+                        kept_head_[i].substr(2) + "', and this is '" + now[i].substr(2) +
+                        "': its rows would be those of something else; name another file");
+        }
+    }
+    if (kept_head_.empty()) {
+        new_head_ = std::string{first_line} + '\n';
+        for (std::string const& each : now) {
+            new_head_ += each + '\n';
+        }
     }
 }
 
 /// Believes the file as a whole or not at all: a line that was cut short would hide addresses that are there.
 void map_log::read(std::string const& text)
 {
+    constexpr unsigned lines_of_head = 1 + std::size(head_words);
     std::istringstream in{text};
     std::string line;
-    for (unsigned number = 1; std::getline(in, line); ++number) {
+    unsigned number = 1;
+    for (; std::getline(in, line); ++number) {
         bool const is_whole = not in.eof();
-        if (number == 1 and (line != first_line or not is_whole)) {
-            refuse_word("--resume " + file_ + ": this is no file of a map; it is left as it is");
+        bool const is_of_head =
+            number <= lines_of_head and
+            (number == 1 ? line == first_line : line.starts_with(head_words[std::min(number, lines_of_head) - 2]));
+        if (number <= lines_of_head and not(is_of_head and is_whole)) {
+            refuse_no_map();
         }
-        if (number > 1 and (not is_whole or not read_line(line))) {
+        if (number > 1 and number <= lines_of_head) {
+            kept_head_.push_back(line);
+        }
+        if (number > lines_of_head and (not is_whole or not read_line(line))) {
             refuse_word(
                 "--resume " + file_ + ":" + std::to_string(number) + ": '" + line +
                 "' is no line of a map, is not whole, or contradicts another; the file is left as it is: mend or "
                 "remove the line");
         }
     }
+    if (number > 1 and number <= lines_of_head) {
+        refuse_no_map();
+    }
+}
+
+void map_log::refuse_no_map() const
+{
+    refuse_word("--resume " + file_ + ": this is no file of a map, or its head is not whole; it is left as it is");
 }
 
 bool map_log::read_line(std::string const& line)
@@ -76,14 +127,15 @@ bool map_log::read_line(std::string const& line)
     while (name_of(where) != space and where != register_space::discrete) {
         where = static_cast<register_space>(static_cast<unsigned>(where) + 1);
     }
-    bool const is_right = not in.bad() and unit >= 1 and unit <= 247 and name_of(where) == space and first <= last and
-                          last < addresses and kind > 0 and kind < 4 and (kind == 3) != why.empty();
+    bool const is_right = not in.bad() and kept_head_[1] == std::string{head_words[1]} + std::to_string(unit) and
+                          name_of(where) == space and first <= last and last < addresses and kind > 0 and kind < 4 and
+                          (kind == 3) != why.empty();
     std::string const again = std::to_string(unit) + ' ' + space + ' ' + std::to_string(first) + ' ' +
                               std::to_string(last) + ' ' + what + (why.empty() ? "" : ' ' + why);
     if (not is_right or again != line) {
         return false;
     }
-    if (unit != unit_) {
+    if (unit != unit_) { // `begin` refuses it
         return true;
     }
     for (unsigned each = first; each <= last; ++each) {
@@ -127,7 +179,7 @@ void map_log::write(std::string const& line)
     if (file_.empty()) {
         return;
     }
-    out_.write(line + '\n');
+    out_.write(std::exchange(new_head_, {}) + line + '\n');
     if (not out_.failure().empty()) {
         throw ended{exit_status::port, file_ + ": " + out_.failure()};
     }
