@@ -198,6 +198,21 @@ def check_another(tool, check):
             check(ended.status == USAGE and f":{at}:" in ended.errors, f"{beside}", ended)
 
 
+def check_unnamed_drive(tool, check):
+    """What does not say what it is, and has the status word and the command word of a drive, is asked for as a drive is."""
+    marks = {3201: 1, 8501: 0, **{each: 1 for each in range(10)}}
+    with named({7: marks, 8: {3201: 1}, 9: {0x6041: 1, 0x6040: 0}}) as line:
+        for unit, names, is_asked in ((7, None, True), (8, None, False), (9, None, True), (7, ("Acme", "M7", "1"), False)):
+            line.names = names
+            words = ["--no-listen", "--timeout", 0.2, "--retries", 0, "-u", unit, "--json"]
+            ended = tool.run(*words, "map", "3200-3202", port=line.name)
+            if is_asked:
+                check(ended.status == REFUSED and f"unit {unit} may be a drive" in ended.errors and not ended.output,
+                      f"{unit} {names} is asked for", ended)
+                ended = tool.run(*words, "--yes", "map", "3200-3202", port=line.name)
+            check(ended.status == (DIFFERS if unit == 9 else DONE), f"{unit} {names} is mapped", ended)
+
+
 def check_silent(tool, check):
     """A unit that says nothing to what it lacks is asked on; one that is gone is not."""
     class Mute(Units):
@@ -240,7 +255,7 @@ def main(check, program):
     with Tool(program) as tool, Programs() as others:
         near, tool.port = others.line()
         others.serve(near, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
-        for part in (check_kinds, check_forms, check_end, check_silent, check_drive, check_another):
+        for part in (check_kinds, check_forms, check_end, check_silent, check_drive, check_another, check_unnamed_drive):
             part(tool, check)
 
 

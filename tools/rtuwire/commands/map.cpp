@@ -134,7 +134,7 @@ private:
         }
         identity_words const who = unit_.drive.empty() ? who_is_it(line, unit_.unit)
                                                        : identity_words{.drive = unit_.drive, .may_be_drive = true};
-        if (who.drive.empty() and not who.may_be_drive) {
+        if (who.drive.empty() and not who.may_be_drive and not may_be_unnamed_drive(line, unit_.unit, who)) {
             return nullptr;
         }
         std::string const what =

@@ -304,6 +304,16 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
     return who;
 }
 
+bool may_be_unnamed_drive(open_line& line, rtuwire::unit_id unit, identity_words const& who)
+{
+    bool const was_heard = who.has_answered or who.outcome == exit_status::done;
+    if (not who.product.empty() or not was_heard) {
+        return false;
+    }
+    drive_marks const marks = marks_of_drive(line, unit);
+    return marks.has_all or status_of(marks.open) == exit_status::differs;
+}
+
 bool is_of_another_family(identity_words const& who, drive_catalog const& drive)
 {
     drive_catalog const* const known = who.drive.empty() ? nullptr : catalog_named(who.drive);

@@ -41,6 +41,10 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit);
 /// The catalog of the unit: the one that was chosen, else that of the drive that it is. Ends where it is none.
 drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen);
 
+/// Whether one that is of no known drive may be one all the same: it does not say by function 43 what it is, and has the
+/// status word and the command word of a drive, or does not tell whether it has.
+[[nodiscard]] bool may_be_unnamed_drive(open_line& line, rtuwire::unit_id unit, identity_words const& who);
+
 /// What --drive says of a unit that is no drive, or is not to be asked who it is.
 inline constexpr std::string_view no_drive = "none";
 
