@@ -126,12 +126,33 @@ def check_failures(tool, check):
                         ([with_crc(bytes([FIRST, 3, 0, 0, 0, 1])).hex(" ")], "03 00 00 00 01")):
         ended = tool.run(*QUIET, "-u", FIRST, "ask", *words)
         check(ended.status == USAGE and says in ended.errors and not ended.output, f"{words[:3]} is refused", ended)
-    for inner in (bytes([SECOND, 6, 0, 5, 0, 7]), bytes([SECOND, 16, 0, 5, 0, 1, 2, 0, 7]), bytes([0, 5, 0, 1, 0xFF, 0])):
-        for words in (["08", "0000A5A5", with_crc(inner).hex()], ["41", "01", with_crc(inner).hex()]):
-            ended = tool.run(*QUIET, *NONE, "--allow-run", "-u", FIRST, "ask", *words)
-            check(ended.status == REFUSED and "whole frame" in ended.errors, f"{words}: a frame within is refused", ended)
     ended = tool.run(*QUIET, "-u", FIRST, "ask", "43", "0E0100")
     check(ended.status == REFUSED and "is 2B" in ended.errors, "a decimal number is hinted at", ended)
+
+
+# Requests that may change something, to whom they are meant as frames of their own.
+NOT_FREE = ("3e0600050007", "3e1000050001020007", "00050001ff00", "3e1509060004000000010006", "3e4101", "3e0800010000", "3e0800040000",
+            "3e2b0d0000006040", "3e16000500ff0007", "f70600050007", "3e170000000100050001020007", "3e0f000a00020103")
+
+
+def check_frames_within(tool, check):
+    """The bytes on the line hold no frame of another kind, at whatever byte, its CRC among the data or that of the whole frame."""
+    for inner in map(bytes.fromhex, NOT_FREE):
+        for words in (["08", "0000A5A5", with_crc(inner).hex()], ["41", "01", with_crc(inner).hex(), "00"],
+                      ["14", "00", with_crc(inner).hex()]):
+            ended = tool.run(*QUIET, *NONE, "--allow-run", "-u", FIRST, "ask", *words)
+            check(ended.status == REFUSED and "whole frame" in ended.errors and not ended.output, f"{words}: a frame within", ended)
+    # 05 08 00 00 D6 3F brings a CRC back to its beginning, so that the CRC of the whole frame is that of its rest.
+    for rest in ("070621350006", "070800010000", "07410102"):
+        sent = with_crc(bytes.fromhex("05080000d63f" + rest))
+        check(crc(sent[6:]) == 0, "its rest is a whole frame", sent)
+        ended = tool.run(*QUIET, "-u", 5, "ask", "08", "0000D63F", rest)
+        check(ended.status == REFUSED and sent[6:].hex(" ").upper() in ended.errors, f"{rest}: its CRC is the outer one's", ended)
+    ended = tool.run(*QUIET, *NONE, "-u", FIRST, "write", "0:u64=0x050621350006127E")
+    check(ended.status == REFUSED and "whole frame" in ended.errors and not ended.output, "a value that is a frame", ended)
+    ended = tool.run("--no-listen", "-u", 7, "-d", "atv320", "ask", "08", "0000", with_crc(bytes([SECOND, 3, 0, 0, 0, 1])).hex(),
+                     port="sim:atv320:7")
+    check(ended.status != REFUSED and ended.output, "one that only reads is sent", ended)
 
 
 def check_writes(tool, check):
@@ -253,7 +274,7 @@ def main(check, program, libmodbus_server):
     with Tool(program) as tool, Programs() as others:
         near, tool.port = others.line()
         others.serve(near, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
-        for part in (check_free, check_failures, check_writes, check_broadcast):
+        for part in (check_free, check_failures, check_frames_within, check_writes, check_broadcast):
             part(tool, check)
         check_unnamed(tool, check, others, libmodbus_server)
         check_drive(tool, check)

@@ -3,6 +3,7 @@
 // Asks a unit by any function, and shows both frames. What only reads is free; what else is sent by the rules of `write`.
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -101,7 +102,6 @@ public:
         : chosen_{chosen}, pdu_{pdu_in(chosen.words)}, is_free_{only_reads(pdu_)},
           is_broadcast_{chosen.line.unit == "0"}, printer_{chosen.form}
     {
-        refuse_frame_within(frame_of(std::byte{1}, pdu_));
         if (not is_free_) {
             refuse_without_write();
             refuse_unreadable(pdu_);
@@ -113,6 +113,8 @@ public:
             unit_ = is_free_ ? unit_in(chosen.line) : unit_to_change(chosen);
             drive_ = unit_->drive.empty() ? nullptr : catalog_or_none(unit_->drive);
         }
+        refuse_frame_within(frame_of(std::byte{unit_ ? unit_->unit.byte() : std::uint8_t{0}}, pdu_),
+                            functions_within::any);
     }
 
     exit_status run()

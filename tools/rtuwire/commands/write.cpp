@@ -3,6 +3,7 @@
 // Writes registers, and reads them back. All words are checked before the first frame leaves; what commands a motor is
 // refused: `start` and `stop` do that.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@
 #include "motion/checked_values.hpp"
 #include "motion/moving_registers.hpp"
 #include "motion/question.hpp"
+#include "motion/raw_effect.hpp"
 #include "motion/unsafe_write.hpp"
 #include "output/plain_text.hpp"
 #include "words/value_words.hpp"
@@ -92,11 +94,41 @@ public:
 private:
     std::vector<value_to_write> checked(open_line& line) const
     {
-        if (given_.empty()) {
-            return checked_values(chosen_.words, line, unit_, rules_, chosen_);
+        if (not given_.empty()) {
+            refuse_unsafe_values(given_, rules_, chosen_);
         }
-        refuse_unsafe_values(given_, rules_, chosen_);
-        return given_;
+        std::vector<value_to_write> values =
+            given_.empty() ? checked_values(chosen_.words, line, unit_, rules_, chosen_) : given_;
+        for (value_to_write const& each : values) {
+            refuse_frame_within(each);
+        }
+        return values;
+    }
+
+    /// What function 16 sends of it.
+    static std::vector<std::byte> bytes_of(value_to_write const& value)
+    {
+        std::vector<std::byte> bytes;
+        for (std::uint16_t const word : value.words) {
+            bytes.push_back(static_cast<std::byte>(word >> 8U));
+            bytes.push_back(static_cast<std::byte>(word & 0xFFU));
+        }
+        return bytes;
+    }
+
+    /// A value of several registers may hold a whole frame; so may one of whatever the unit takes by function 16 only.
+    void refuse_frame_within(value_to_write const& value) const
+    {
+        if (rules_.drive != nullptr or value.where.is_single_bit()) {
+            return;
+        }
+        std::vector<std::byte> const bytes = bytes_of(value);
+        std::array<std::byte, rtuwire::max_adu_size> memory{};
+        auto const frame = rtuwire::encode_into(
+            memory, unit_.unit, rtuwire::write_multiple_registers{value.where.address, rtuwire::register_view{bytes}});
+        if (frame) {
+            tool::refuse_frame_within(*frame, functions_within::public_ones);
+        }
     }
 
     /// Of a unit that was said to be no drive, a number is an address; where it is or may be one, it may mean another register.
@@ -266,11 +298,7 @@ private:
 
     errc send_all(open_line& line, value_to_write const& value)
     {
-        std::vector<std::byte> bytes;
-        for (std::uint16_t const word : value.words) {
-            bytes.push_back(static_cast<std::byte>(word >> 8U));
-            bytes.push_back(static_cast<std::byte>(word & 0xFFU));
-        }
+        std::vector<std::byte> const bytes = bytes_of(value);
         return line
             .ask(unit_.unit, rtuwire::write_multiple_registers{value.where.address, rtuwire::register_view{bytes}})
             .error();

@@ -89,24 +89,31 @@ bool reaches_objects(byte_view pdu)
 /// One of a function that has no specification is.
 bool is_as_specified(byte_view pdu) { return flaw_of(pdu, rtuwire::frame_role::request) == rtuwire::errc::none; }
 
-constexpr std::size_t shortest_write = 8; ///< a whole frame that writes
-
-/// The size of the frame that begins here, of at least `shortest_write` bytes, where it is a request that writes; else 0.
-std::size_t size_of_write(byte_view from)
+/// Whether a PDU is as long as one of its function that writes registers or coils, by its own bytes; their values are not
+/// looked at.
+bool has_length_of_write(byte_view pdu)
 {
-    auto const counted = [from](std::size_t at) {
-        return at < from.size() ? at + 3 + std::to_integer<std::size_t>(from[at]) : 0;
+    auto const counted = [pdu](std::size_t at) {
+        return at < pdu.size() and pdu.size() == at + 1 + std::to_integer<std::size_t>(pdu[at]);
     };
-    if (not place_writes.contains(static_cast<function_code>(from[1]))) {
-        return 0;
-    }
-    switch (std::to_integer<unsigned>(from[1])) {
+    switch (std::to_integer<unsigned>(pdu[0])) {
     case 15:
-    case 16: return counted(6);
-    case 22: return 10;
-    case 23: return counted(10);
-    default: return shortest_write;
+    case 16: return counted(5);
+    case 22: return pdu.size() == 7;
+    case 23: return counted(9);
+    default: return pdu.size() == 5;
     }
+}
+
+/// Whether a unit that takes it for a request of its own may do more than read.
+bool may_change_something(byte_view pdu, functions_within which)
+{
+    constexpr unsigned first_exception = 0x80;
+    bool const is_function = pdu[0] != std::byte{0} and std::to_integer<unsigned>(pdu[0]) < first_exception;
+    bool const is_looked_for =
+        is_function and (which == functions_within::any or rtuwire::all_functions.contains(code_of(pdu)));
+    return is_looked_for and (place_writes.contains(code_of(pdu)) ? has_length_of_write(pdu)
+                                                                  : is_as_specified(pdu) and not only_reads(pdu));
 }
 
 } // namespace
@@ -123,14 +130,15 @@ bool only_reads(byte_view pdu)
     return (reading.contains(code_of(pdu)) or says_back or identifies) and is_as_specified(pdu);
 }
 
-void refuse_frame_within(byte_view frame)
+void refuse_frame_within(byte_view frame, functions_within which)
 {
-    for (std::size_t at = 1; at + shortest_write <= frame.size(); ++at) {
-        byte_view const rest = frame.subspan(at);
-        std::size_t const size = size_of_write(rest);
-        if (size != 0 and size <= rest.size() and rtuwire::crc16(rest.first(size)) == 0) {
-            refuse_for_safety("its bytes hold a whole frame, " + hex_of(rest.first(size)) +
-                              ": a unit that ends a frame by its length takes that for a request of its own");
+    for (std::size_t at = 1; at + rtuwire::min_adu_size <= frame.size(); ++at) {
+        for (std::size_t size = rtuwire::min_adu_size; at + size <= frame.size(); ++size) {
+            byte_view const one = frame.subspan(at, size);
+            if (may_change_something(one.subspan(1, size - 3), which) and rtuwire::crc16(one) == 0) {
+                refuse_for_safety("its bytes, " + hex_of(frame) + ", hold a whole frame, " + hex_of(one) +
+                                  ": a unit that ends a frame by its length takes that for a request of its own");
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 // What a request of any function may do to a unit, by its bytes alone: to be refused as a write of the same is.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,13 @@ namespace tool {
 /// Whether a request only reads, on a unit of whatever maker, and is as the specification has it.
 [[nodiscard]] bool only_reads(rtuwire::byte_view pdu);
 
-/// Refuses a frame in whose bytes stands another one that writes: who ends a frame by its length takes the rest for that.
-void refuse_frame_within(rtuwire::byte_view frame);
+/// Which frames are looked for within another: of a function that is not public nobody knows the length, so that each piece
+/// of a long text may be one, by its CRC alone.
+enum class functions_within : std::uint8_t { public_ones, any };
+
+/// Refuses a frame, as it is sent, in whose bytes stands another one that does more than read, to whatever unit: who ends a
+/// frame by its length takes the rest for that.
+void refuse_frame_within(rtuwire::byte_view frame, functions_within which);
 
 /// "function 06, write single register"; of one that is not public, and that a decimal number may have meant, with that.
 [[nodiscard]] std::string words_of_function(rtuwire::byte_view pdu);
