@@ -182,6 +182,48 @@ def check_writes(tool, check):
     check(held == 7, "and says no", held)
 
 
+def check_masks(tool, check):
+    """A mask is a write of the bits that it changes: what a register file has a name for is refused, as 06 is."""
+    (tool.place / "own.toml").write_text("""
+[[register]]
+name = "mover"
+address = 43
+access = "write"
+moves = true
+[[register]]
+name = "setpoint"
+address = 40
+access = "write"
+max = 95
+[[register]]
+name = "status"
+address = 44
+[[register]]
+name = "mode"
+address = 45
+bits = "4-7"
+choices = { off = 0, heat = 1 }
+""")
+    said = [*QUIET, "--name", f"m={FIRST}:own.toml", "-u", "m", "--write", "--allow-run"]
+    held = [row["raw"] for row in tool.run(*QUIET, "-u", FIRST, "--json", "read", "40-45").objects()]
+    for words in (["06", "002B0001"], ["16", "002B00000001"], ["16", "002BFFFE0001"], ["16", "002800007FFF"], ["16", "002C0000FFFF"],
+                  ["16", "002CFFFF0100"], ["16", "002DFF0F0090"], ["16", "002DFFEF0000"], ["16", "002BFFFF0001"]):
+        ended = tool.run(*said, "ask", *words)
+        is_told = "own.toml" in ended.errors and ("is read only" in ended.errors or "form and limits" in ended.errors)
+        check(ended.status == USAGE and is_told and not ended.output, f"{words} is refused", ended)
+    ended = tool.run(*said, "ask", "16", "002BFFFF0000")
+    check(ended.status == USAGE and "no bit" in ended.errors, "a mask that changes nothing", ended)
+    ended, *_ = ask(tool, check, FIRST, ["16", "002DFEF5000A"], "--name", f"m={FIRST}:own.toml", "--write")
+    now = [row["raw"] for row in tool.run(*QUIET, "-u", FIRST, "--json", "read", "40-45").objects()]
+    check(ended.status == DONE and now == [*held[:5], held[5] & 0xFEF5 | 0x000A], "bits without a name are changed", (ended, held, now))
+    log = (tool.place / "state" / "rtuwire" / "writes.log").read_text()
+    check(all(f"\t{each} was sent" in log for each in ("45.1\tunknown\t1", "45.3\tunknown\t1", "45.8\tunknown\t0")), "and noted", log)
+    with Units({7: {3201: 0, 8501: 0, 40: 5}}) as line:
+        ended = tool.run("--no-listen", "-u", 7, *NONE, "--allow-run", "ask", "16", "002800000006", port=line.name)
+        check(ended.status == REFUSED and "may be a drive" in ended.errors and all(each[1] in (3, 43) for each in line.requests),
+              "a unit that has the words of a drive takes none", (ended, line.requests))
+
+
 def check_broadcast(tool, check):
     to_all = [*QUIET, "-u", 0]
     for words, beside, status, says in (
@@ -274,7 +316,7 @@ def main(check, program, libmodbus_server):
     with Tool(program) as tool, Programs() as others:
         near, tool.port = others.line()
         others.serve(near, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
-        for part in (check_free, check_failures, check_frames_within, check_writes, check_broadcast):
+        for part in (check_free, check_failures, check_frames_within, check_writes, check_masks, check_broadcast):
             part(tool, check)
         check_unnamed(tool, check, others, libmodbus_server)
         check_drive(tool, check)

@@ -57,6 +57,36 @@ written_registers registers_written(byte_view pdu)
                : written_registers{word_at(pdu, 1), 1, 3};
 }
 
+/// The bits that a mask changes. A bit that its AND mask keeps and its OR mask has stays by the specification, and is set by
+/// units that take OR as it is.
+std::uint16_t changed_bits(byte_view pdu) { return static_cast<std::uint16_t>(~word_at(pdu, 3) | word_at(pdu, 5)); }
+
+/// The bits that a mask changes, each run of them as one number.
+std::vector<std::string> bits_written(byte_view pdu)
+{
+    constexpr unsigned bits = 16;
+    std::uint16_t const changed = changed_bits(pdu);
+    std::uint16_t const set = word_at(pdu, 5);
+    std::string const address = std::to_string(word_at(pdu, 1));
+    std::vector<std::string> words;
+    for (unsigned first = 0; first < bits; ++first) {
+        unsigned last = first;
+        while (last < bits and (changed >> last & 1U) != 0) {
+            ++last;
+        }
+        if (last == first) {
+            continue;
+        }
+        unsigned const value = set >> first & ((1U << (last - first)) - 1U);
+        words.push_back(last - first == bits ? address + '=' + hex_word_of(set)
+                        : last - first == 1  ? address + '.' + std::to_string(first) + (value != 0 ? "=on" : "=off")
+                                             : address + '.' + std::to_string(first) + '-' + std::to_string(last - 1) +
+                                                  '=' + std::to_string(value));
+        first = last;
+    }
+    return words;
+}
+
 /// The values of a request that is as the specification has it, as `write` takes them.
 std::vector<std::string> values_written(byte_view pdu)
 {
@@ -70,6 +100,8 @@ std::vector<std::string> values_written(byte_view pdu)
         for (unsigned i = 0; i < word_at(pdu, 3); ++i) {
             coil(word_at(pdu, 1) + i, (std::to_integer<unsigned>(pdu[6 + i / 8]) >> (i % 8U) & 1U) != 0);
         }
+    } else if (code_of(pdu) == function_code::mask_write_register) {
+        return bits_written(pdu);
     } else if (register_writes.contains(code_of(pdu))) {
         written_registers const it = registers_written(pdu);
         for (std::size_t i = 0; i < it.count; ++i) {
@@ -167,6 +199,10 @@ void refuse_unreadable(byte_view pdu)
                     std::string{rtuwire::name(flaw_of(pdu, rtuwire::frame_role::request))} +
                     ", so nobody knows what a unit writes by it; `decode` shows a frame field by field");
     }
+    if (code_of(pdu) == function_code::mask_write_register and changed_bits(pdu) == 0) {
+        refuse_word(words_of_function(pdu) +
+                    ": its masks change no bit, and it is a write of the register all the same");
+    }
 }
 
 std::vector<value_to_write> checked_request(byte_view pdu, open_line& line, named_unit const& unit,
@@ -175,14 +211,15 @@ std::vector<value_to_write> checked_request(byte_view pdu, open_line& line, name
     std::string const number = "unit " + std::to_string(unit.unit.byte());
     std::string const what = words_of_function(pdu);
     bool const is_drive = rules.drive != nullptr;
-    std::vector<value_to_write> values = checked_values(values_written(pdu), line, unit, rules, chosen);
     if (code_of(pdu) == function_code::mask_write_register) {
         refuse_command({.where = {word_at(pdu, 1)}}, rules, chosen);
-        if (is_drive) {
-            refuse_for_safety(number + " is an " + std::string{rules.drive->name} + ": what " + what +
+        if (is_drive or rules.command) {
+            refuse_for_safety(number + (is_drive ? " is an " + std::string{rules.drive->name} : " may be a drive") +
+                              ": what " + what +
                               ", makes of its register is not known before, as that of the command write is");
         }
     }
+    std::vector<value_to_write> values = checked_values(values_written(pdu), line, unit, rules, chosen);
     if (reaches_objects(pdu) and (is_drive or rules.command)) {
         refuse_for_safety(number + (is_drive ? " is a drive: " : " may be a drive: ") + what +
                           " of type 13, reaches its command as well");

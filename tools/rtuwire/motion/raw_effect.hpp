@@ -32,7 +32,7 @@ void refuse_frame_within(rtuwire::byte_view frame, functions_within which);
 [[nodiscard]] std::string words_of_function(rtuwire::byte_view pdu);
 
 /// Refuses a request that writes registers or coils, and is not as the specification has it: what a unit makes of it, nobody
-/// knows.
+/// knows. And a mask that changes nothing.
 void refuse_unreadable(rtuwire::byte_view pdu);
 
 /// Ends the command where this unit may not be sent this request by these rules. The values that it writes, checked as
