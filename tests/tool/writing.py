@@ -338,9 +338,29 @@ def check_question(tool, check):
 
             ended = tool.on_terminal("--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write", "write",
                                      "ACC=1.3s", keys=[("(y/n)", answer)])
-            is_told = not changed or ("was 13 in the unit's steps" in ended.output and "130 now" in ended.output)
+            is_told = not changed or ("was 13 in the unit's steps" in ended.output and "130 in the unit's steps now" in ended.output)
             what = f"defect: D24 ACC=1.3s, its step {'changed' if changed else 'the same'} behind the question"
             check(ended.status == status and line.units[7][acc] == held and is_told, what, (ended, line.units[7][acc]))
+    # A raw count is the same word, and another amount.
+    for words in (["write", "ACC=#25"], ["ask", "06", "23290019"]):
+        with Units({7: dict(REGISTERS)}) as line:
+            def finer():
+                line.units[7][step] = 0
+                return "y\n"
+
+            ended = tool.on_terminal("--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write", "--allow-run", *words,
+                                     keys=[("(y/n)", finer)])
+            check(ended.status == REFUSED and line.units[7][acc] == 30 and "was 2.5 s" in ended.output and "0.25 s now" in ended.output,
+                  f"{words}: the size of its steps has changed", (ended, line.units[7][acc]))
+    with Units({7: dict(REGISTERS)}) as line:
+        def lower():
+            line.units[7][3104] = 100
+            return "y\n"
+
+        ended = tool.on_terminal("--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write", "--allow-run", "ask", "06",
+                                 "0C210190", keys=[("(y/n)", lower)])
+        check(ended.status == USAGE and "LSP takes" in ended.output and not any(each[1] == 6 for each in line.requests),
+              "ask: a limit has changed", (ended, line.requests))
 
 
 def main(check, program):

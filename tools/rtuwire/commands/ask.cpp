@@ -21,6 +21,7 @@
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
+#include "motion/checked_values.hpp"
 #include "motion/question.hpp"
 #include "motion/raw_effect.hpp"
 #include "output/plain_text.hpp"
@@ -159,6 +160,9 @@ private:
             }
             if (not is_broadcast_ and not(rules_to_write(line, *unit_, chosen_.allowed) == rules)) {
                 throw ended{exit_status::refused, "another unit answers than when you were asked; nothing is sent"};
+            }
+            if (not is_broadcast_) {
+                refuse_changed_values(values_, checked_request(pdu_, line, *unit_, rules, chosen_));
             }
         }
         note_signals();

@@ -74,7 +74,7 @@ public:
             if (not(rules_to_write(line, unit_, chosen_.allowed) == rules_)) {
                 throw ended{exit_status::refused, "another unit answers than when you were asked; nothing is written"};
             }
-            refuse_what_changed(values, checked(line));
+            refuse_changed_values(values, checked(line));
         }
         note_signals();
         exit_status status = exit_status::done;
@@ -175,20 +175,6 @@ private:
             std::fprintf(stderr, "unit %u: %s\n", unsigned{unit_.unit.byte()}, plain_text(line).c_str());
         }
         return is_answered_yes("write?");
-    }
-
-    /// While somebody was asked, a register that sets the step of a value may have been written: what was confirmed is
-    /// another word then.
-    void refuse_what_changed(std::vector<value_to_write> const& confirmed, std::vector<value_to_write> const& now) const
-    {
-        for (std::size_t i = 0; i < confirmed.size(); ++i) {
-            if (now[i].words != confirmed[i].words) {
-                throw ended{exit_status::refused,
-                            '\'' + chosen_.words[i] + "' was " + std::to_string(confirmed[i].words[0]) +
-                                " in the unit's steps when you were asked, and is " + std::to_string(now[i].words[0]) +
-                                " now: somebody changed them; nothing is written"};
-            }
-        }
     }
 
     /// Writes, and says what the unit holds then: what was read back, whatever was answered to the write. Since the values

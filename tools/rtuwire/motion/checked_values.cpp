@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "line/asked_registers.hpp"
+#include "line/reading.hpp"
 #include "line/register_reader.hpp"
 #include "motion/unsafe_write.hpp"
 
@@ -47,6 +49,24 @@ void refuse_unsafe_values(std::vector<value_to_write> const& values, write_rules
     }
     for (value_to_write const& each : values) {
         refuse_if_wrong(each, rules, chosen);
+    }
+}
+
+void refuse_changed_values(std::vector<value_to_write> const& confirmed, std::vector<value_to_write> const& now)
+{
+    for (std::size_t i = 0; i < confirmed.size(); ++i) {
+        value_to_write const& was = confirmed[i];
+        value_to_write const& is = now[i];
+        bool const is_same_count = was.words == is.words;
+        if (is_same_count and was.text == is.text) {
+            continue;
+        }
+        auto const words_of = [is_same_count](value_to_write const& each) {
+            return is_same_count ? each.text : std::to_string(each.words[0]) + " in the unit's steps";
+        };
+        throw ended{exit_status::refused, label_of({was.where, was.entry}) + " was " + words_of(was) +
+                                              " when you were asked, and is " + words_of(is) +
+                                              " now: somebody changed its steps; nothing is written"};
     }
 }
 
