@@ -233,9 +233,18 @@ def check_broadcast(tool, check):
             (["06", "2135000F"], ["--write", "--allow-run"], REFUSED, "CMD"),
             (["10", "2134000204000000" + "0F"], ["--write", "--allow-run"], REFUSED, "CMD"),
             (["16", "2135000F000F"], ["--write", "--allow-run"], REFUSED, "CMD"),
-            (["06", "0190000F"], ["--write", "--allow-run"], REFUSED, "atv28")):
+            (["06", "0190000F"], ["--write", "--allow-run"], REFUSED, "atv28"),
+            (["15", "0906000421350001000F"], ["--write", "--allow-run"], REFUSED, "CMD"),
+            (["15", "09060004"], ["--write", "--allow-run"], REFUSED, "specification")):
         ended = tool.run(*to_all, *beside, "ask", *words)
         check(ended.status == status and says in ended.errors and not ended.output, f"{words} to all with {beside}", ended)
+    # The objects of CiA 402: its command, its mode, its targets of speed, torque, position and velocity.
+    for target in (0x6040, 0x6042, 0x6060, 0x6071, 0x607A, 0x60FF):
+        before, at = f"{target - 1:04X}", f"{target:04X}"
+        for words in (["05", at + "FF00"], ["06", at + "000F"], ["0F", before + "00020103"], ["10", before + "00020400000006"],
+                      ["16", at + "FFF0000F"]):
+            ended = tool.run(*to_all, "--write", "--allow-run", "ask", *words)
+            check(ended.status == REFUSED and "CiA 402" in ended.errors and not ended.output, f"{words} to all", ended)
     ended = tool.run(*to_all, "--write", "--allow-run", "--json", "ask", "06", "00140005")
     request, response, _ = frames_of(ended.objects(), check, "a broadcast")
     check(ended.status == DONE and request[:-2].hex() == "000600140005" and response is None and "nobody answers" in ended.errors,

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
+#include <span>
 
 #include "exit_status.hpp"
 #include "frame/frame_fit.hpp"
@@ -35,6 +35,7 @@ std::string hex_word_of(std::uint16_t word) { return hex_words({&word, 1}); }
 constexpr rtuwire::function_set register_writes{function_code::write_single_register,
                                                 function_code::write_multiple_registers,
                                                 function_code::read_write_multiple_registers};
+constexpr rtuwire::function_set coil_writes{function_code::write_single_coil, function_code::write_multiple_coils};
 constexpr rtuwire::function_set place_writes{
     function_code::write_single_coil,        function_code::write_multiple_coils,
     function_code::mask_write_register,      function_code::write_single_register,
@@ -110,6 +111,40 @@ std::vector<std::string> values_written(byte_view pdu)
         }
     }
     return words;
+}
+
+/// The registers, coils or records that a request writes, which is as the specification has it.
+std::vector<unsigned> addresses_written(byte_view pdu)
+{
+    std::vector<unsigned> all;
+    auto const add = [&all](unsigned first, unsigned count) {
+        for (unsigned i = 0; i < count; ++i) {
+            all.push_back(first + i);
+        }
+    };
+    switch (std::to_integer<unsigned>(pdu[0])) {
+    case 15:
+    case 16: add(word_at(pdu, 1), word_at(pdu, 3)); break;
+    case 21:
+        for (std::size_t at = 2; at + 7 <= pdu.size(); at += 7 + 2U * word_at(pdu, at + 5)) {
+            add(word_at(pdu, at + 3), word_at(pdu, at + 5));
+        }
+        break;
+    default: add(word_at(pdu, 1), 1); break;
+    }
+    return all;
+}
+
+/// Ends the command where a register is of a drive that may be on the line.
+void refuse_register_of(drive_catalog const& drive, std::uint16_t address)
+{
+    register_entry const* const entry = drive.at(address);
+    if (commands_a_motor(address, drive) or entry != nullptr) {
+        refuse_for_safety("register " + std::to_string(address) + " is " +
+                          (entry != nullptr ? std::string{entry->code} : std::string{"a command"}) + " of an " +
+                          std::string{drive.name} +
+                          ", which may be on the line; the command write sends it to one unit, and checks it");
+    }
 }
 
 /// What any object of a unit is written by, its command as well: CANopen's general reference.
@@ -253,19 +288,18 @@ void refuse_broadcast(byte_view pdu, choices const& chosen)
         refuse_for_safety("a broadcast reaches whoever is on the line, drives as well; to send it, say --allow-run "
                           "besides");
     }
-    bool const is_mask = code_of(pdu) == function_code::mask_write_register;
-    written_registers const it =
-        is_mask or register_writes.contains(code_of(pdu)) ? registers_written(pdu) : written_registers{};
-    for (std::size_t i = 0; i < it.count; ++i) {
-        auto const address = static_cast<std::uint16_t>(it.first + i);
-        for (drive_catalog const* const each : all_catalogs()) {
-            register_entry const* const entry = each->at(address);
-            if (commands_a_motor(address, *each) or entry != nullptr) {
-                refuse_for_safety("register " + std::to_string(address) + " is " +
-                                  (entry != nullptr ? std::string{entry->code} : std::string{"a command"}) + " of an " +
-                                  std::string{each->name} +
-                                  ", which may be on the line; the command write sends it to one unit, and checks it");
-            }
+    if (not is_as_specified(pdu)) {
+        refuse_for_safety(what +
+                          ": its data is not as the specification has it, so nobody knows what units make of it");
+    }
+    bool const is_coil = coil_writes.contains(code_of(pdu));
+    for (unsigned const address : addresses_written(pdu)) {
+        if (is_target_of_profile(address)) {
+            refuse_for_safety("address " + std::to_string(address) +
+                              " commands the motor of a drive of CiA 402, which may be on the line");
+        }
+        for (drive_catalog const* const each : is_coil ? std::span<drive_catalog const* const>{} : all_catalogs()) {
+            refuse_register_of(*each, static_cast<std::uint16_t>(address));
         }
     }
 }

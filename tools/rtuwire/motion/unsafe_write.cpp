@@ -46,14 +46,6 @@ drive_catalog const* commanded_there(std::uint16_t address)
     return found == all_catalogs().end() ? nullptr : *found;
 }
 
-/// Whether a drive that numbers its registers as the objects of CiA 402 is commanded there: its control word, its mode of
-/// operation, its target torque, position, speed (vl) and velocity.
-bool is_target_of_profile(unsigned address)
-{
-    constexpr unsigned objects[]{0x6040, 0x6042, 0x6060, 0x6071, 0x607A, 0x60FF};
-    return std::ranges::find(objects, address) != std::end(objects);
-}
-
 /// What is wrong with a drive that has to be without power; nothing where nothing is.
 std::optional<ended> why_not_at_rest(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive)
 {
@@ -76,6 +68,12 @@ std::optional<ended> why_not_at_rest(open_line& line, rtuwire::unit_id unit, dri
 }
 
 } // namespace
+
+bool is_target_of_profile(unsigned address)
+{
+    constexpr unsigned objects[]{0x6040, 0x6042, 0x6060, 0x6071, 0x607A, 0x60FF};
+    return std::ranges::find(objects, address) != std::end(objects);
+}
 
 std::optional<ended> why_not_now(std::vector<value_to_write> const& values, open_line& line, rtuwire::unit_id unit,
                                  drive_catalog const& drive, permissions const& allowed)

@@ -15,6 +15,10 @@
 
 namespace tool {
 
+/// Whether a drive that numbers its registers as the objects of CiA 402 is commanded there: its control word, its mode of
+/// operation, its target torque, position, speed (vl) and velocity.
+[[nodiscard]] bool is_target_of_profile(unsigned address);
+
 /// Ends the command where a value goes to what commands a motor, whatever its form and its text: of the drive, and of any
 /// where the unit may be one.
 void refuse_command(value_to_write const& value, write_rules const& rules, choices const& chosen);
