@@ -321,6 +321,34 @@ def check_once(tool, check):
     check("\task 41 01\tunknown\tno response" in log, "and noted, for nobody knows what came of it", log)
 
 
+def check_echo(tool, check):
+    """A line that gives back what is sent: the response to 08, 05 and 06 looks like it, whether anybody is there or not."""
+    class Echoing(Units):
+        def next_request(self):
+            request = super().next_request()
+            if request:
+                self.say(request)
+            return request
+
+    ramp = ["-d", "atv320", "--write", "--allow-run", "06", "23290003"]  # limits are read first: the client knows the echo then
+    for units, words, status, says in (({}, ["08", "00001234"], DIFFERS, "echoes"), ({}, ramp, NO_ANSWER, "no response"),
+                                       ({7: {}}, ["08", "00001234"], DIFFERS, ""),
+                                       ({7: {9001: 30, 9020: 1, 3201: 0}}, ramp, DONE, "")):
+        *beside, function, data = words
+        with Echoing(units) as line:
+            ended = tool.run("--no-listen", "--timeout", 0.2, "--retries", 0, "-u", 7, *beside, "--json", "ask", function, data,
+                             port=line.name)
+            error = "".join(row["value"] for row in ended.objects() if row["field"] == "error")
+            check(ended.status == status and says in error and bool(error) == (status != DONE),
+                  f"{words} of {[*units]} on a line that echoes", ended)
+            check(status != DONE or line.units[7][9001] == 3, "and is taken by the unit", line.units)
+    with Units({7: {40: 1}}) as line:
+        line.answer_08 = line.answer
+        line.answer = lambda request: request if request[1] == 8 else line.answer_08(request)
+        ended = tool.run("--no-listen", "-u", 7, "--json", "ask", "08", "00001234", port=line.name)
+        check(ended.status == DONE, "a unit that says it back is none", ended)
+
+
 def main(check, program, libmodbus_server):
     with Tool(program) as tool, Programs() as others:
         near, tool.port = others.line()
@@ -330,6 +358,7 @@ def main(check, program, libmodbus_server):
         check_unnamed(tool, check, others, libmodbus_server)
         check_drive(tool, check)
         check_once(tool, check)
+        check_echo(tool, check)
 
 
 if len(sys.argv) > 1 and sys.argv[1] == "--serve":

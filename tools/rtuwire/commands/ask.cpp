@@ -206,17 +206,34 @@ private:
     exit_status tell(open_line& line, frame_decoder& decoder, std::byte unit,
                      rtuwire::result<rtuwire::response> const& outcome)
     {
-        errc const why = outcome.error();
+        errc why = outcome.error();
         if (status_of(why) == exit_status::port) {
             note("unknown");
             throw ended{exit_status::port, line.port().failure()};
         }
+        byte_list const response = came(line, unit, outcome);
+        if (outcome and is_echo(line, response)) {
+            why = errc::line_echo;
+        }
         std::string const failure = why == errc::none ? std::string{} : line.words_of_failure(why);
         note(failure.empty() ? "answered" : failure);
         show(decoder, frame_of(unit, pdu_), frame_role::request);
-        show(decoder, came(line, unit, outcome), frame_role::response, failure);
+        show(decoder, response, frame_role::response, failure);
         printer_.finish_run();
         return status_of(why);
+    }
+
+    /// Whether a response that is its request, as those of several functions are, is what a line gives back: a read tells,
+    /// whose response is another than its request.
+    bool is_echo(open_line& line, byte_list const& response) const
+    {
+        if (chosen_.line.has_echo or response != frame_of(std::byte{unit_->unit.byte()}, pdu_)) {
+            return false;
+        }
+        rtuwire::line_echo_probe probe{unit_->unit};
+        static_cast<void>(line.run(probe));
+        auto const found = probe.outcome();
+        return found and *found;
     }
 
     /// What came; empty where nothing is known of it.
