@@ -321,6 +321,18 @@ def check_once(tool, check):
     check("\task 41 01\tunknown\tno response" in log, "and noted, for nobody knows what came of it", log)
 
 
+def check_full_disk(tool, check):
+    """What was sent is told, though the output takes nothing."""
+    for form in ([], ["--json"], ["--csv"]):
+        for unit, words, says in ((7, ["06", "00280005"], "unit 7: function 06, write single register: 06 00 28 00 05; 40 = 5 was sent: answered"),
+                                  (0, ["06", "00280005"], "all units: function 06, write single register: 06 00 28 00 05 was sent")):
+            with Units({7: {40: 1}}) as line, open("/dev/full", "wb") as full:
+                process = tool.start("--no-listen", *NONE, "--allow-run", "-u", unit, *form, "ask", *words, port=line.name, stdout=full)
+                _, errors = process.communicate(timeout=60)
+                sent = [each for each in line.requests if each[1] == 6]
+                check(process.returncode == PORT and len(sent) == 1 and says in errors, f"{unit} {form}: told into a full disk", (errors, sent))
+
+
 def check_echo(tool, check):
     """A line that gives back what is sent: the response to 08, 05 and 06 looks like it, whether anybody is there or not."""
     class Echoing(Units):
@@ -359,12 +371,13 @@ def main(check, program, libmodbus_server):
         check_drive(tool, check)
         check_once(tool, check)
         check_echo(tool, check)
+        check_full_disk(tool, check)
 
 
 if len(sys.argv) > 1 and sys.argv[1] == "--serve":
     asyncio.run(serve(*sys.argv[2:]))
 else:
-    from support import DIFFERS, DONE, NO_ANSWER, REFUSED, USAGE, Simulator, Tool, Units, crc, runs, with_crc
+    from support import DIFFERS, DONE, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, crc, runs, with_crc
 
     from pair import Programs  # noqa: I100
 

@@ -216,11 +216,28 @@ private:
             why = errc::line_echo;
         }
         std::string const failure = why == errc::none ? std::string{} : line.words_of_failure(why);
-        note(failure.empty() ? "answered" : failure);
-        show(decoder, frame_of(unit, pdu_), frame_role::request);
-        show(decoder, response, frame_role::response, failure);
-        printer_.finish_run();
+        std::string const told = failure.empty() ? "answered" : failure;
+        note(told);
+        show_all(told, [&] {
+            show(decoder, frame_of(unit, pdu_), frame_role::request);
+            show(decoder, response, frame_role::response, failure);
+        });
         return status_of(why);
+    }
+
+    /// What was sent is told, though the output takes nothing.
+    template <typename Show> void show_all(std::string const& outcome, Show const& show_frames)
+    {
+        try {
+            show_frames();
+            printer_.finish_run();
+        } catch (ended const& why) {
+            if (is_free_) {
+                throw;
+            }
+            throw ended{why.status,
+                        std::string{why.what()} + "; " + to_whom() + ": " + what() + " was sent: " + outcome};
+        }
     }
 
     /// Whether a response that is its request, as those of several functions are, is what a line gives back: a read tells,
@@ -260,8 +277,8 @@ private:
                         status_of(why) == exit_status::port ? line.port().failure() : line.words_of_failure(why)};
         }
         frame_decoder decoder{nullptr};
-        show(decoder, frame_of(std::byte{0}, pdu_), frame_role::request);
-        printer_.finish_run();
+        show_all("nobody answers a broadcast",
+                 [&] { show(decoder, frame_of(std::byte{0}, pdu_), frame_role::request); });
         std::fputs("note: nobody answers a broadcast: what the units made of it is not known\n", stderr);
         return exit_status::done;
     }
