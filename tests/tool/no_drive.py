@@ -114,9 +114,51 @@ def check_control(tool, check):
               "and so is the log", (ended, log))
 
 
+OWN_FILE = """[[register]]
+name = "mover"
+address = 43
+access = "write"
+moves = true
+
+[[register]]
+name = "limited"
+address = 44
+access = "write"
+max = 10
+
+[[register]]
+name = "shown"
+address = 45
+"""
+
+
+def check_file_of_name(tool, check):
+    """--drive none leaves a name its register file, with what it says of each register; a type of a drive contradicts it."""
+    (tool.place / "own.toml").write_text(OWN_FILE)
+    (tool.place / "none.toml").write_text('drive = "none"\nname = ["m=7:own.toml"]\n')
+    (tool.place / "drive.toml").write_text('drive = "atv320"\nname = ["m=7:own.toml"]\n')
+    typed = ["--name", "m=7:own.toml"]
+    with Odd({0: "Maker", 1: "PLC"}, None, {43: 0, 44: 0, 45: 0}) as line:
+        tool.port, how = line.name, ["--no-listen", "--write", "-u"]
+        for beside in ([*typed, "-d", "none"], typed, ["--config", "none.toml"]):
+            for unit in ("m", 7):
+                for word, status, says in (("mover=1", REFUSED, "mover moves something"), ("holding:43=1", USAGE, "say that name"),
+                                           ("limited=11", USAGE, "at most 10"), ("44=11", USAGE, "say that name"),
+                                           ("shown=1", USAGE, "read only")):
+                    ended = tool.run(*how, unit, *beside, "write", word)
+                    check(ended.status == status and says in ended.errors and not line.writes(), f"{beside} {unit}: {word}", ended)
+        for beside in ([*typed, "-d", "atv320"], ["--config", "drive.toml"]):
+            for words in (["write", "mover=1"], ["read", "shown"]):
+                ended = tool.run(*how, "m", *beside, *words)
+                is_told = "--name m=7:own.toml" in ended.errors and "said to be an atv320" in ended.errors
+                check(ended.status == USAGE and is_told and not line.writes(), f"{beside}: {words}", ended)
+        ended = tool.run(*how, "m", *typed, "-d", "none", "write", "limited=9")
+        check(ended.status == DONE and line.units[7][44] == 9, "what the file allows is written", ended)
+
+
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_gate, check_control):
+        for part in (check_gate, check_control, check_file_of_name):
             part(tool, check)
 
 

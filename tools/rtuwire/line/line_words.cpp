@@ -168,19 +168,20 @@ named_unit unit_in(line_choices const& line)
                               ? rtuwire::unit_id::checked_reserved(*number)
                               : rtuwire::result<rtuwire::unit_id>{rtuwire::errc::invalid_unit};
     named_unit chosen = found ? *found : named_unit{reserved ? *reserved : address_in(line.unit, "--unit")};
+    std::string const of_name = is_register_file(chosen.drive) ? std::exchange(chosen.drive, {}) : std::string{};
+    std::string const file = line.device.empty() ? of_name : line.device;
     chosen.drive = line.drive.empty() ? chosen.drive : line.drive;
-    if (is_register_file(chosen.drive)) {
-        chosen.names = line.knows_registers ? &register_file_at(chosen.drive) : nullptr;
-        chosen.drive = "none";
+    if (file.empty()) {
+        return chosen;
     }
-    if (not line.device.empty()) {
-        if (not chosen.drive.empty() and chosen.drive != "none") {
-            refuse_word("--device " + line.device +
-                        ": a register file is of what is no drive, and this unit is said to be an " + chosen.drive);
-        }
-        chosen.drive = "none";
-        chosen.names = &register_file_at(line.device);
+    bool const is_drive = not chosen.drive.empty() and chosen.drive != "none";
+    if (is_drive and line.knows_registers) {
+        refuse_word((line.device.empty() ? "--name " + chosen.name + '=' + std::to_string(chosen.unit.byte()) + ':'
+                                         : std::string{"--device "}) +
+                    file + ": a register file is of what is no drive, and this unit is said to be an " + chosen.drive);
     }
+    chosen.drive = is_drive ? chosen.drive : "none";
+    chosen.names = line.knows_registers ? &register_file_at(file) : nullptr;
     return chosen;
 }
 
