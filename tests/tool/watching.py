@@ -103,6 +103,15 @@ def check_units(tool, check):
         named = ["--name", "main=61:meter.toml", "--name", "sub=62:other.toml"]
         ended = tool.run(*several(line, "main,sub"), *named, "--csv", "watch", "power", "load", *briefly)
         check(ended.rows()[0]["power@main"] == "230" and ended.rows()[0]["load@sub"] == "231", "each name its register file", ended)
+        own = ["--port", line.name, "--no-listen", "--name", "main=61:meter.toml"]
+        for command, beside in (("read", []), ("watch", briefly)):
+            ended = tool.run(*own, "-u", "main,62", "--json", command, "power", "holding:100@62", *beside)
+            found = ended.objects()
+            held = found[0]["holding:100@unit62"] if command == "watch" else found[1].get("value")
+            check(ended.status == DONE and held == 231 and "unit62 has no power" in ended.errors,
+                  f"{command}: a place of a unit that does not say what it is, beside a name of another one", ended)
+        ended = tool.run(*own, "-u", "main,62", "read", "power")
+        check("say --drive" in ended.errors and "230" in ended.output, "without a place nothing is read of it", ended)
         devices = tool.place / ".local" / "share" / "rtuwire" / "devices"
         devices.mkdir(parents=True)
         for name in ("pm9", "atv320"):

@@ -56,10 +56,10 @@ drive_catalog const* table_of(open_line& line, named_unit const& unit, std::vect
                             : &catalog_of(line, unit.unit, {});
 }
 
-asked_registers asked_of(open_line& line, named_unit const& unit, std::vector<std::string> const& words)
+/// Those words that name registers of this unit; the others it lacks.
+void add_registers(asked_registers& asked, std::vector<std::string> const& words)
 {
-    asked_registers asked{.unit = unit, .drive = table_of(line, unit, words)};
-    vocabulary const known{asked.drive, unit.names};
+    vocabulary const known{asked.drive, asked.unit.names};
     std::vector<std::string> right;
     for (std::string const& word : words) {
         std::string_view const one[]{word};
@@ -70,6 +70,35 @@ asked_registers asked_of(open_line& line, named_unit const& unit, std::vector<st
         }
     }
     asked.registers = registers_in(right, known);
+}
+
+asked_registers asked_of(open_line& line, named_unit const& unit, std::vector<std::string> const& words)
+{
+    asked_registers asked{.unit = unit, .drive = table_of(line, unit, words)};
+    add_registers(asked, words);
+    return asked;
+}
+
+/// Of one of several units that did not tell what it is: the places, which mean the same on any, are read all the same.
+asked_registers places_of(open_line& line, named_unit const& unit, std::vector<std::string> const& words,
+                          ended const& why)
+{
+    asked_registers asked{.unit = unit};
+    add_registers(asked, words);
+    std::vector<std::string> places = words;
+    std::erase_if(places, [&asked](std::string const& word) {
+        return std::ranges::count(asked.lacks, word, &refusal::culprit) > 0;
+    });
+    if (asked.registers.empty() or asked.lacks.empty()) {
+        return {.unit = unit, .failure = why};
+    }
+    std::vector<std::string_view> const views{places.begin(), places.end()};
+    try {
+        asked.drive = drive_of_numbers(line, unit.unit, first_menu_number(views));
+    } catch (ended const& ambiguous) {
+        return {.unit = unit, .failure = ambiguous};
+    }
+    asked.unknown = why.what();
     return asked;
 }
 
@@ -123,7 +152,8 @@ std::optional<refusal> why_unknown(named_unit const& unit, std::string const& wo
 /// A word that none of the units knows is wrong; where one of them did not tell what it is, it may be that one's.
 void refuse_unknown(std::vector<asked_registers> const& all, std::vector<std::vector<std::string>> const& words)
 {
-    if (std::ranges::any_of(all, [](asked_registers const& each) { return each.failure.has_value(); })) {
+    auto const is_open = [](asked_registers const& each) { return each.failure or not each.unknown.empty(); };
+    if (std::ranges::any_of(all, is_open)) {
         return;
     }
     std::map<std::string, std::optional<refusal>> wrong; // of a word that some unit knows, nothing
@@ -158,7 +188,7 @@ std::vector<asked_registers> registers_asked(std::vector<std::string> const& wor
             if (units.size() == 1 or why.status == exit_status::usage or why.status == exit_status::port) {
                 throw;
             }
-            all.push_back({.unit = units[i], .failure = why});
+            all.push_back(places_of(line, units[i], own[i], why));
         }
     }
     refuse_unknown(all, own);
@@ -199,7 +229,8 @@ void tell_left_out(std::vector<asked_registers> const& all)
             words += (words.empty() ? "" : ", ") + why.culprit;
         }
         if (not words.empty()) {
-            tell_error("note: " + name_of(each.unit) + " has no " + words);
+            tell_error("note: " + name_of(each.unit) + " has no " + words +
+                       (each.unknown.empty() ? "" : " that is known: " + each.unknown));
         }
     }
 }

@@ -21,6 +21,7 @@ struct asked_registers {
     std::vector<chosen_register> registers{};
     std::vector<refusal> lacks{};   ///< of several units: the words that this one does not know
     std::optional<ended> failure{}; ///< of several units: why this one is not read
+    std::string unknown{};          ///< of several units: why nobody knows what this one is; its places are read
 };
 
 /// Of each unit. Asks a unit what it is only where a word needs its table, or is a number of some drive's menu. Refuses words
