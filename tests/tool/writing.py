@@ -8,9 +8,11 @@ import json
 import os
 import queue
 import re
+import resource
 import signal
+import subprocess
 
-from support import DIFFERS, DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs, with_crc
+from support import DIFFERS, DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, Ended, Simulator, Tool, Units, runs, with_crc
 
 # Word, status, and what is said. The unit has these registers, as an ATV320 has them.
 REFUSALS = [
@@ -230,6 +232,48 @@ def check_results(tool, check):
     check(ended.status == DIFFERS and "CRC" in ended.objects()[0]["error"], "a wrong CRC is not silence", ended)
 
 
+def check_full_log(tool, check):
+    """Nothing is written of which there is no room for a row, and no half row stays."""
+    folder = tool.place / "state" / "rtuwire"
+    log = folder / "writes.log"
+
+    def written(line, size, *words):
+        def limited():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+        process = tool.start("--port", line.name, "--no-listen", "-u", 7, "-d", "none", "--write", "--csv", "write", *words,
+                             preexec_fn=limited)
+        output, errors = process.communicate(timeout=LIMIT)
+        return Ended(process.returncode, output, errors)
+
+    folder.mkdir(parents=True, exist_ok=True)
+    for size in (0, 30, 1000):
+        with Units({7: {40: 0, 41: 0}}) as line:
+            log.write_text("")
+            ended = written(line, size, "40=5")
+            check(ended.status == PORT and "File too large" in ended.errors and not line.heard and not log.read_text(),
+                  f"a log of at most {size} bytes", ended)
+    with Units({7: {40: 0, 41: 0}}) as line:
+        log.write_text("a half row")
+        ended = written(line, 4096 + 256 + 20, "40=5", "41=6")
+        notes = [row["note"] for row in ended.rows()]
+        check(ended.status == PORT and (line.units[7][40], line.units[7][41]) == (5, 0) and notes[0] == ""
+              and "not written: nothing could be noted" in notes[1], "the first row takes the room of the second", ended)
+        rows = log.read_text().split("\n")
+        check(rows[0] == "a half row" and rows[1].endswith("\t40\t0 (0x0000)\t5") and rows[2:] == [""], "a row is a line of its own", rows)
+    log.unlink()
+    if subprocess.run(["unshare", "-rm", "true"], capture_output=True).returncode != 0:
+        return  # nobody may mount here
+    with Units({7: {40: 0, 41: 0}}) as line:
+        script = ('mount -t tmpfs -o size=64k none "$XDG_STATE_HOME" && mkdir "$XDG_STATE_HOME/rtuwire" && '
+                  ': >"$XDG_STATE_HOME/rtuwire/writes.log" && { cat /dev/zero >"$XDG_STATE_HOME/fill" 2>/dev/null; "$@"; '
+                  'echo "status $?"; cat "$XDG_STATE_HOME/rtuwire/writes.log"; }')
+        command = tool.command(["--no-listen", "-u", 7, "-d", "none", "--write", "write", "40=5", "41=6"], line.name)
+        ended = subprocess.run(["unshare", "-rm", "sh", "-c", script, "sh", *command], capture_output=True, text=True,
+                               env=tool.environment, timeout=LIMIT)
+        check(ended.stdout == "status 4\n" and "No space left" in ended.stderr and not line.heard, "a full disk", ended)
+
+
 def check_permissions(tool, check):
     """A unit in the hands of its owner: --allow-run, raw counts, an amount with its unit."""
     with Units({7: dict(REGISTERS)}) as line:
@@ -366,7 +410,7 @@ def check_question(tool, check):
 def main(check, program):
     with Tool(program) as tool:
         for part in (check_refusals, check_together, check_write, check_interrupts, check_results, check_permissions, check_full_disk,
-                     check_no_reader, check_log, check_terminal, check_question):
+                     check_no_reader, check_log, check_full_log, check_terminal, check_question):
             part(tool, check)
 
 

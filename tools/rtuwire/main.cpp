@@ -46,6 +46,7 @@ int main(int argc, char** argv)
 {
     keep_standard_descriptors();
     std::signal(SIGPIPE, SIG_IGN); // a reader that went away is told by the write
+    std::signal(SIGXFSZ, SIG_IGN); // and so is a file that may not grow
     try {
         parsed const words = parse(argc, argv);
         return static_cast<int>(words.chosen ? run(*words.chosen) : words.status);

@@ -77,7 +77,7 @@ private:
             log_write({chosen_.line.port, unsigned{who_.unit.byte()}, "CMD", "fault " + fault, after});
         std::string const log = failure.empty() ? std::string{} : "; not noted: " + failure;
         if (why.kind == outcome_kind::succeeded) {
-            return tell(fault, "reset" + log, exit_status::done);
+            return tell(fault, "reset" + log, failure.empty() ? exit_status::done : exit_status::port);
         }
         if (why.kind == outcome_kind::silent) {
             return tell(fault, "no answer: " + words_of(why.error) + log,

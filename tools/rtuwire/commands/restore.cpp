@@ -139,11 +139,12 @@ private:
         if (not may_go_on(chosen_.allowed, what, "write them?")) {
             return exit_status::refused;
         }
+        refuse_wrong_log(plan.count(restore_outcome::planned) + 1U);
         note_signals();
         restore_record record;
         restored const done = run_once(line, false, record);
         if (done.is_saved) {
-            log_write({chosen_.line.port, unit_.unit.byte(), "CMI", "restored", "0x0002 (save to eeprom)"});
+            note_in_log("CMI", "restored", "0x0002 (save to eeprom)");
         }
         std::string note = chosen_.restore.save ? done.is_saved ? "saved" : "not saved" : "";
         if (std::string const changed = changed_steps(record); not changed.empty()) {
@@ -190,7 +191,8 @@ private:
         }
         return how.port_error != rtuwire::errc::none ? exit_status::port
                : how.was_ended                       ? static_cast<exit_status>(128 + noted_signal())
-                                                     : status_for(how.reason);
+               : is_log_missed_ and how.reason.kind == outcome_kind::succeeded ? exit_status::port
+                                                                               : status_for(how.reason);
     }
 
     /// What could not even be tried ends a restore as what reads back otherwise does.
@@ -246,7 +248,12 @@ private:
         bool const is_known = what.outcome == restore_outcome::written or what.outcome == restore_outcome::differs;
         std::string const old = before ? view_.held_text(entry, *before, *plan_) : "unknown";
         std::string const now = is_known and what.held ? view_.wanted_text(entry, *what.held) : "unknown";
-        std::string const why = log_write({chosen_.line.port, unit_.unit.byte(), std::string{entry.code}, old, now});
+        note_in_log(std::string{entry.code}, old, now);
+    }
+
+    void note_in_log(std::string const& label, std::string const& old, std::string const& now)
+    {
+        std::string const why = log_write({chosen_.line.port, unit_.unit.byte(), label, old, now});
         if (not why.empty() and not is_log_missed_) {
             is_log_missed_ = true;
             std::fprintf(stderr, "rtuwire: not noted: %s\n", why.c_str());

@@ -181,7 +181,11 @@ private:
     /// were checked somebody was asked, and others were written: a motor may run by now.
     exit_status write(open_line& line, value_to_write const& value, held_text const& before)
     {
-        if (auto const why = why_not({value}, line)) {
+        std::optional<ended> why = why_not({value}, line);
+        if (std::string const log = why ? std::string{} : why_nothing_can_be_noted(); not log.empty()) {
+            why.emplace(exit_status::port, "nothing could be noted: " + log);
+        }
+        if (why) {
             show(value, before, before, std::string{"not written: "} + why->what(), {});
             return why->status;
         }
@@ -210,11 +214,12 @@ private:
             status = exit_status::differs;
         }
         append(note, is_taken or not error.empty() ? std::string{} : failure + ": read back");
+        std::string missed;
         if (not is_refusal(outcome)) {
-            append(note, logged(value, before, after));
+            append(note, logged(value, before, after, missed));
         }
         show(value, before, after, error, note);
-        return status;
+        return missed.empty() or status != exit_status::done ? status : exit_status::port;
     }
 
     /// What to do where the unit has no function that writes such a value.
@@ -333,12 +338,15 @@ private:
         note += (note.empty() or more.empty() ? "" : "; ") + more;
     }
 
-    std::string logged(value_to_write const& value, held_text const& before, held_text const& after)
+    /// Notes a write; what people have to know of it. Why it could not be noted is in `missed`, too.
+    std::string logged(value_to_write const& value, held_text const& before, held_text const& after,
+                       std::string& missed)
     {
         unsigned const unit = unit_.unit.byte();
         std::string const why =
             log_write({chosen_.line.port, unit, label_of({value.where, value.entry}), shown(before), shown(after)});
         std::string note = why.empty() ? std::string{} : "not noted: " + why;
+        append(missed, why);
         if (value.named != nullptr and value.named->is_stored) {
             append(note, "the unit stores it, and its memory bears a limited number of writes");
         }

@@ -6,7 +6,10 @@
 #include <cerrno>
 #include <cstring>
 
+#include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace tool {
 
@@ -22,6 +25,12 @@ std::string kind_of(mode_t mode)
            : S_ISFIFO(mode) ? "is a pipe"
            : S_ISSOCK(mode) ? "is a socket"
                             : "is a device";
+}
+
+off_t size_of(int file)
+{
+    struct stat found {};
+    return ::fstat(file, &found) == 0 ? found.st_size : 0;
 }
 
 } // namespace
@@ -58,17 +67,66 @@ file_text text_of_file(std::string const& path)
 appended_file::appended_file(std::string const& path) : failure_{why_no_regular_file(path)}
 {
     if (failure_.empty()) {
-        file_.reset(std::fopen(path.c_str(), "abe"));
+        file_.reset(std::fopen(path.c_str(), "a+be"));
         failure_ = file_ ? "" : std::strerror(errno);
     }
 }
 
 void appended_file::write(std::string const& text)
 {
-    if (file_ and
-        (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() or std::fflush(file_.get()) != 0)) {
+    if (not file_) {
+        return;
+    }
+    int const file = ::fileno(file_.get());
+    off_t const begin = size_of(file);
+    std::size_t done = 0;
+    while (done < text.size()) {
+        ssize_t const added = ::write(file, text.data() + done, text.size() - done);
+        if (added < 0 and errno == EINTR) {
+            continue;
+        }
+        if (added <= 0) {
+            failure_ = std::strerror(errno);
+            bool const is_alone = size_of(file) == begin + static_cast<off_t>(done);
+            if (done > 0 and is_alone and ::ftruncate(file, begin) != 0) {
+                failure_ += ", and a part of it stands there";
+            }
+            return;
+        }
+        done += static_cast<std::size_t>(added);
+    }
+}
+
+void appended_file::reserve(std::size_t size)
+{
+    if (not file_) {
+        return;
+    }
+    int const file = ::fileno(file_.get());
+    off_t const end = size_of(file);
+    rlimit most{};
+    if (::getrlimit(RLIMIT_FSIZE, &most) == 0 and most.rlim_cur != RLIM_INFINITY and
+        static_cast<rlim_t>(end) + size > most.rlim_cur) {
+        failure_ = std::strerror(EFBIG);
+        return;
+    }
+#ifdef FALLOC_FL_KEEP_SIZE
+    if (::fallocate(file, FALLOC_FL_KEEP_SIZE, end, static_cast<off_t>(size)) != 0 and
+        (errno == ENOSPC or errno == EDQUOT or errno == EFBIG)) { // others cannot keep room
         failure_ = std::strerror(errno);
     }
+#endif
+}
+
+bool appended_file::ends_with_line() const
+{
+    if (not file_) {
+        return true;
+    }
+    int const file = ::fileno(file_.get());
+    off_t const end = size_of(file);
+    char last = '\n';
+    return end == 0 or ::pread(file, &last, 1, end - 1) != 1 or last == '\n';
 }
 
 } // namespace tool

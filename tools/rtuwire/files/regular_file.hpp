@@ -23,14 +23,18 @@ struct file_text {
 /// Reads a regular file of at most 64 MiB.
 file_text text_of_file(std::string const& path);
 
-/// A regular file to whose end is added; each addition is in the file when `write` returns.
+/// A regular file to whose end is added; each addition is in the file when `write` returns, as a whole or not at all.
 class appended_file {
 public:
     appended_file() = default;
     explicit appended_file(std::string const& path);
 
     void write(std::string const& text);
-    /// Why it was not opened or not written; empty where all went well.
+    /// Keeps room for so many bytes behind its end, where its file system can: an addition fails now, not then.
+    void reserve(std::size_t size);
+    /// Whether it is empty or ends with a line's end.
+    bool ends_with_line() const;
+    /// Why it was not opened or not written, or has no room; empty where all went well.
     std::string const& failure() const { return failure_; }
 
 private:

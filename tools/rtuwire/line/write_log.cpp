@@ -43,8 +43,11 @@ std::string place_of(std::string const& port, unsigned unit)
     return '\t' + plain_text(port) + '\t' + std::to_string(unit) + '\t';
 }
 
-/// Adds to the file, which is made where it is missing. Why it could not; empty where it could.
-std::string add_to_log(std::string const& lines)
+/// More than one row has, and than one of many has as a rule.
+constexpr std::size_t row_size = 4096, usual_size = 256;
+
+/// Does that with the file, which is made where it is missing. Why it could not; empty where it could.
+template <typename Action> std::string with_log(Action action)
 {
     std::filesystem::path const file = write_log_file();
     if (file.empty()) {
@@ -53,7 +56,7 @@ std::string add_to_log(std::string const& lines)
     std::error_code ignored; // the file itself tells
     std::filesystem::create_directories(file.parent_path(), ignored);
     appended_file log{file};
-    log.write(lines);
+    action(log);
     return log.failure().empty() ? std::string{} : file.string() + ": " + log.failure();
 }
 
@@ -71,13 +74,19 @@ std::string write_log_file()
 
 std::string log_write(written_value const& what)
 {
-    return add_to_log(time_now() + '\t' + user_name() + place_of(what.port, what.unit) + plain_text(what.label) + '\t' +
-                      plain_text(what.before) + '\t' + plain_text(what.after) + '\n');
+    std::string const row = time_now() + '\t' + user_name() + place_of(what.port, what.unit) + plain_text(what.label) +
+                            '\t' + plain_text(what.before) + '\t' + plain_text(what.after) + '\n';
+    return with_log([&row](appended_file& log) { log.write((log.ends_with_line() ? "" : "\n") + row); });
 }
 
-void refuse_wrong_log()
+std::string why_nothing_can_be_noted(std::size_t rows)
 {
-    if (std::string const why = add_to_log({}); not why.empty()) {
+    return with_log([rows](appended_file& log) { log.reserve(row_size + rows * usual_size); });
+}
+
+void refuse_wrong_log(std::size_t rows)
+{
+    if (std::string const why = why_nothing_can_be_noted(rows); not why.empty()) {
         throw ended{exit_status::port, "nothing is written, because nothing could be noted: " + why};
     }
 }

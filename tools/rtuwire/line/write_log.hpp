@@ -3,6 +3,7 @@
 // Who wrote what: a file that every write is added to, $XDG_STATE_HOME/rtuwire/writes.log, or ~/.local/state/...
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -19,9 +20,12 @@ struct written_value {
 /// Adds a line: time, user, port, unit, register, before, after. Why the file cannot be written; empty where it was.
 std::string log_write(written_value const& what);
 
-/// Ends the command where the log cannot be added to, before anything is written: it has no place, is something else than a
-/// file, or may not be written. Makes an empty one where there is none.
-void refuse_wrong_log();
+/// Why no such row could be added: the log has no place, is something else than a file, may not be written, or its disk
+/// is full. Empty where there is room, which is kept where the file system can. Makes an empty one where there is none.
+std::string why_nothing_can_be_noted(std::size_t rows = 1);
+
+/// The same before anything is written: ends the command.
+void refuse_wrong_log(std::size_t rows = 1);
 
 /// How many orders to save to EEPROM the file has for a unit, this one included.
 unsigned count_saves(std::string const& port, unsigned unit);
