@@ -142,8 +142,8 @@ class Units(Line):
         size = 8
         if len(self.waiting) > 6 and self.waiting[1] == 16:
             size = 9 + self.waiting[6]
-        elif len(self.waiting) > 2 and self.waiting[1] == 43:
-            size = 7
+        elif len(self.waiting) > 2 and self.waiting[1] in (22, 43):
+            size = 10 if self.waiting[1] == 22 else 7
         if len(self.waiting) < size:
             return None
         request, self.waiting = self.waiting[:size], self.waiting[size:]

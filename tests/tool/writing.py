@@ -163,8 +163,11 @@ def check_write(tool, check):
         check(ended.status == DIFFERS and "another value" in ended.output, "a unit that holds another value", ended)
 
 
+FAILING = {"fails, and writes": 4, "busy, and writes": 6}  # exceptions
+
+
 class Answering(Units):
-    """Answers a write as it is told to: `refuses` (exception 3), `loses` its response, `keeps` the old value, `stores` another,
+    """Answers a write as it is told to: one of FAILING, `refuses` (exception 3), `loses` its response, `keeps` the old value, `stores` another,
     `damages` the CRC of all it says, or `dies` behind the write."""
 
     def __init__(self, how, units):
@@ -176,6 +179,9 @@ class Answering(Units):
         if self.is_dead or start == 9002 and self.how == "refuses second" and request[1] == 6:
             return None if self.is_dead else with_crc(bytes([request[0], 0x86, 3]))
         if request[1] == 6:
+            if self.how in FAILING:
+                super().answer(request)
+                return with_crc(bytes([request[0], 0x86, FAILING[self.how]]))
             if self.how == "refuses":
                 return with_crc(bytes([request[0], 0x86, 3]))
             if self.how == "refuses oddly":
@@ -196,6 +202,8 @@ RESULTS = [
     ("obeys", DONE, "1.3 s", None, "1.3 s"),
     ("refuses", DIFFERS, "3.0 s", "illegal data value (exception 0x03)", None),
     ("refuses oddly", DIFFERS, "3.0 s", "exception 0x63, which no specification lists", None),
+    ("fails, and writes", DIFFERS, "1.3 s", "server device failure (exception 0x04)", "1.3 s"),
+    ("busy, and writes", DIFFERS, "1.3 s", "server device busy (exception 0x06)", "1.3 s"),
     ("keeps", DIFFERS, "3.0 s", "the unit holds another value", "3.0 s"),
     ("stores", DIFFERS, "7.7 s", "the unit holds another value", "7.7 s"),
     ("loses", DONE, "1.3 s", None, "1.3 s"),
@@ -230,6 +238,43 @@ def check_results(tool, check):
     check([row["after"] for row in rows] == ["1.3 s", "4.0 s"] and "error" in rows[1], "the second is refused", rows)
     ended, _ = answered("damages", "--json", "read", "ACC")
     check(ended.status == DIFFERS and "CRC" in ended.objects()[0]["error"], "a wrong CRC is not silence", ended)
+
+
+def check_once(tool, check):
+    """Without retries a busy unit gets a write once."""
+    for retries, sent in ((0, 1), (1, 4)):
+        with Answering("busy, and writes", {7: dict(REGISTERS)}) as line:
+            tool.run("--port", line.name, "--no-listen", "--retries", retries, "-u", 7, "-d", "atv320", "--write", "write", "ACC=1.3s")
+            found = [each[1] for each in line.requests].count(6)
+            check(found == sent, f"--retries {retries}: a busy unit gets it {sent} times", found)
+
+
+class Masking(Units):
+    """Has function 22; it writes these others besides."""
+
+    def __init__(self, others):
+        self.others = others
+        super().__init__({7: {40: 0x0100, 41: 1}})
+
+    def answer(self, request):
+        if request[1] != 22:
+            return super().answer(request)
+        held, others, value = (int.from_bytes(request[at:at + 2], "big") for at in (2, 4, 6))
+        self.units[7][held] = self.units[7][held] & others | value | self.others
+        return request
+
+
+def check_other_bits(tool, check):
+    """A unit that writes other bits of the register, too, is told of, and all of it is noted."""
+    file = tool.place / "state" / "rtuwire" / "writes.log"
+    for others, status, words in ((0, DONE, ["40.0=on", "40.1=on"]), (0xF000, DIFFERS, ["40.0=on", "40.1=on"])):
+        with Masking(others) as line:
+            ended = tool.run("--port", line.name, "--no-listen", "-u", 7, "-d", "none", "--write", "--json", "write", *words)
+            error = ended.objects()[0].get("error")
+            expected = "other bits of the register changed: 0x0100 -> 0xF101" if others else None
+            check(ended.status == status and error == expected, f"others {others:#x}: told", ended)
+            log = [each.split("\t")[4:] for each in file.read_text().splitlines()]
+            check(log[-1] == (["40", "0x0100", "0xF101"] if others else ["40.1", "0", "1"]), f"others {others:#x}: noted", log[-2:])
 
 
 def check_full_log(tool, check):
@@ -409,8 +454,8 @@ def check_question(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_refusals, check_together, check_write, check_interrupts, check_results, check_permissions, check_full_disk,
-                     check_no_reader, check_log, check_full_log, check_terminal, check_question):
+        for part in (check_refusals, check_together, check_write, check_interrupts, check_results, check_once, check_other_bits, check_permissions,
+                     check_full_disk, check_no_reader, check_log, check_full_log, check_terminal, check_question):
             part(tool, check)
 
 

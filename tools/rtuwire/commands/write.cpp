@@ -16,6 +16,7 @@
 #include "line/asked_registers.hpp"
 #include "line/end_wish.hpp"
 #include "line/line_words.hpp"
+#include "line/raw_request.hpp"
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
@@ -37,6 +38,12 @@ constexpr char const* unknown = "unknown"; ///< in the log and on the screen: wh
 
 /// What a unit holds in words; nothing where it could not be read.
 using held_text = std::optional<std::string>;
+
+/// What it held before a write.
+struct held_before {
+    held_text text{};
+    std::vector<std::uint16_t> words{}; ///< of bits those of all their register; empty where it could not be read
+};
 
 constexpr char const* not_tried = "not tried";
 
@@ -66,7 +73,7 @@ public:
         if (std::optional<ended> const why = why_not(values, line)) {
             throw ended{*why};
         }
-        std::vector<held_text> const before = read(line, values);
+        std::vector<held_before> const before = read(line, values);
         if (is_asked(chosen_.allowed)) {
             if (not is_confirmed(values, before)) {
                 return exit_status::refused;
@@ -85,7 +92,7 @@ public:
             if (status == exit_status::done) {
                 status = write(line, values[i], before[i]);
             } else {
-                show(values[i], before[i], {}, not_tried, {});
+                show(values[i], before[i].text, {}, not_tried, {});
             }
         }
         return status;
@@ -151,7 +158,7 @@ private:
                                        : why_not_now(values, line, unit_.unit, *rules_.drive, chosen_.allowed);
     }
 
-    std::vector<held_text> read(open_line& line, std::vector<value_to_write> const& values)
+    std::vector<held_before> read(open_line& line, std::vector<value_to_write> const& values)
     {
         std::vector<chosen_register> all;
         for (value_to_write const& each : values) {
@@ -159,19 +166,19 @@ private:
         }
         register_reader reader{all, {rules_.drive, unit_.names}};
         reader.read(line, unit_.unit);
-        std::vector<held_text> before;
+        std::vector<held_before> before;
         for (chosen_register const& each : all) {
             reading const it = reading_of(each, reader, rules_.drive);
-            before.push_back(it.is_read ? held_text{it.text} : std::nullopt);
+            before.push_back(it.is_read ? held_before{it.text, reader.held(each.where).words} : held_before{});
         }
         return before;
     }
 
-    bool is_confirmed(std::vector<value_to_write> const& values, std::vector<held_text> const& before) const
+    bool is_confirmed(std::vector<value_to_write> const& values, std::vector<held_before> const& before) const
     {
         for (std::size_t i = 0; i < values.size(); ++i) {
             std::string const line =
-                label_of({values[i].where, values[i].entry}) + ": " + shown(before[i]) + " -> " + values[i].text;
+                label_of({values[i].where, values[i].entry}) + ": " + shown(before[i].text) + " -> " + values[i].text;
             std::fprintf(stderr, "unit %u: %s\n", unsigned{unit_.unit.byte()}, plain_text(line).c_str());
         }
         return is_answered_yes("write?");
@@ -179,16 +186,18 @@ private:
 
     /// Writes, and says what the unit holds then: what was read back, whatever was answered to the write. Since the values
     /// were checked somebody was asked, and others were written: a motor may run by now.
-    exit_status write(open_line& line, value_to_write const& value, held_text const& before)
+    exit_status write(open_line& line, value_to_write const& value, held_before const& read_before)
     {
         std::optional<ended> why = why_not({value}, line);
         if (std::string const log = why ? std::string{} : why_nothing_can_be_noted(); not log.empty()) {
             why.emplace(exit_status::port, "nothing could be noted: " + log);
         }
         if (why) {
-            show(value, before, before, std::string{"not written: "} + why->what(), {});
+            show(value, read_before.text, read_before.text, std::string{"not written: "} + why->what(), {});
             return why->status;
         }
+        // Of bits, that the others stay is looked at: those of a value before it are written by now.
+        held_before const before = value.where.bit >= 0 ? read(line, {value})[0] : read_before;
         std::string note;
         errc const outcome = send(line, value, note);
         std::string const failure = line.words_of_failure(outcome) + hint_at_list({value.where, value.entry}, outcome) +
@@ -215,11 +224,44 @@ private:
         }
         append(note, is_taken or not error.empty() ? std::string{} : failure + ": read back");
         std::string missed;
-        if (not is_refusal(outcome)) {
-            append(note, logged(value, before, after, missed));
+        if (may_be_written(value, before, held, outcome)) {
+            append(note, logged(value, before.text, after, missed));
         }
-        show(value, before, after, error, note);
+        if (has_changed_others(value, before, held)) {
+            std::string const all[]{counts_text(before.words[0]), counts_text(held.words[0])};
+            append(error, "other bits of the register changed: " + all[0] + " -> " + all[1]);
+            status = status == exit_status::done ? exit_status::differs : status;
+            value_to_write whole = value;
+            whole.where.bit = -1;
+            append(note, logged(whole, all[0], all[1], missed));
+        }
+        show(value, before.text, after, error, note);
         return missed.empty() or status != exit_status::done ? status : exit_status::port;
+    }
+
+    static std::string counts_text(std::uint16_t word)
+    {
+        char text[8] = "";
+        std::snprintf(text, sizeof text, "0x%04X", unsigned{word});
+        return text;
+    }
+
+    static bool has_changed_others(value_to_write const& value, held_before const& before, held_words const& held)
+    {
+        return value.where.bit >= 0 and before.words.size() == 1 and held.words.size() == 1 and
+               ((before.words[0] ^ held.words[0]) & ~unsigned{value.where.mask()}) != 0;
+    }
+
+    /// A unit that says that it did not write may have written all the same: what it holds tells.
+    static bool may_be_written(value_to_write const& value, held_before const& before, held_words const& held,
+                               errc outcome)
+    {
+        if (is_refusal(outcome) and held.why == errc::none) {
+            return value.is_held_by(held.words) or before.words != held.words;
+        }
+        bool const is_before_doing = outcome == errc::illegal_function or outcome == errc::illegal_data_address or
+                                     outcome == errc::illegal_data_value;
+        return not is_before_doing;
     }
 
     /// What to do where the unit has no function that writes such a value.
@@ -239,6 +281,16 @@ private:
                    : "";
     }
 
+    /// Where nobody wants a repetition, busy units are asked once, too.
+    template <typename Request> errc sent(open_line& line, Request const& request)
+    {
+        if (chosen_.line.retries > 0) {
+            return line.ask(unit_.unit, request).error();
+        }
+        request_once<Request> once{unit_.unit, request};
+        return line.run(once).error();
+    }
+
     /// By function 05 or 06, of several registers by 16, of bits by 22. A device that lacks 05 or 06 is written by 15 or 16, which is noted.
     errc send(open_line& line, value_to_write const& value, std::string& note)
     {
@@ -250,16 +302,13 @@ private:
         if (value.where.bit >= 0) {
             return send_bits(line, value, note);
         }
-        errc const why = is_coil
-                             ? line.ask(unit_.unit, rtuwire::write_single_coil{address, value.words[0] != 0}).error()
-                             : line.ask(unit_.unit, rtuwire::write_single_register{address, value.words[0]}).error();
+        errc const why = is_coil ? sent(line, rtuwire::write_single_coil{address, value.words[0] != 0})
+                                 : sent(line, rtuwire::write_single_register{address, value.words[0]});
         if (why != errc::illegal_function or rules_.drive != nullptr) {
             return why;
         }
         note = is_coil ? "the unit has no function 05: written by 15" : "the unit has no function 06: written by 16";
-        return is_coil ? line.ask(unit_.unit,
-                                  rtuwire::write_multiple_coils{address, rtuwire::bit_block{value.words[0] != 0}})
-                             .error()
+        return is_coil ? sent(line, rtuwire::write_multiple_coils{address, rtuwire::bit_block{value.words[0] != 0}})
                        : send_all(line, value);
     }
 
@@ -268,8 +317,7 @@ private:
     {
         std::uint16_t const mask = value.where.mask();
         auto const others = static_cast<std::uint16_t>(~mask);
-        errc const why =
-            line.ask(unit_.unit, rtuwire::mask_write_register{value.where.address, others, value.words[0]}).error();
+        errc const why = sent(line, rtuwire::mask_write_register{value.where.address, others, value.words[0]});
         if (why != errc::illegal_function or not chosen_.may_rewrite) {
             return why;
         }
@@ -290,9 +338,7 @@ private:
     errc send_all(open_line& line, value_to_write const& value)
     {
         std::vector<std::byte> const bytes = bytes_of(value);
-        return line
-            .ask(unit_.unit, rtuwire::write_multiple_registers{value.where.address, rtuwire::register_view{bytes}})
-            .error();
+        return sent(line, rtuwire::write_multiple_registers{value.where.address, rtuwire::register_view{bytes}});
     }
 
     /// Whether the unit itself says that it did not write. What a gateway says tells nothing of the unit.

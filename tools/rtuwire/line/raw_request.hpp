@@ -26,12 +26,15 @@ struct raw_request {
     }
 };
 
-/// Sends it once, whatever comes of it: nobody knows what a second one would do.
-class sent_once : public rtuwire::single_request<raw_request> {
+/// Sends it once, whatever comes of it, 05 (acknowledge) and 06 (busy) as well.
+template <typename Request> class request_once : public rtuwire::single_request<Request> {
 public:
     static constexpr rtuwire::conversation_properties properties{.repetition = rtuwire::repetition::never};
 
-    using rtuwire::single_request<raw_request>::single_request;
+    using rtuwire::single_request<Request>::single_request;
 };
+
+/// Nobody knows what a second one would do.
+using sent_once = request_once<raw_request>;
 
 } // namespace tool
