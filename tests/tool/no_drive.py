@@ -156,9 +156,26 @@ def check_file_of_name(tool, check):
         check(ended.status == DONE and line.units[7][44] == 9, "what the file allows is written", ended)
 
 
+def check_question(tool, check):
+    """Behind the question another unit of the same kind answers, or the value is another one."""
+    for identity, status in (({0: "Acme", 1: "MX2", 2: "1.0"}, REFUSED), ({0: "Acme", 1: "MX1", 2: "1.1"}, REFUSED),
+                             ({0: "Acme", 1: "MX1", 2: "1.0"}, DONE)):
+        with Odd({0: "Acme", 1: "MX1", 2: "1.0"}, None, {40: 0}) as line:
+            def answer():
+                line.identity, line.units[7][40] = identity, 77
+                return "y\n"
+
+            ended = tool.on_terminal("--no-listen", "-u", 7, "-d", "none", "--write", "write", "40=5", port=line.name,
+                                     keys=[("(y/n)", answer)])
+            is_told = "another unit answers" in ended.output if status else "it was 0 (0x0000) when you were asked" in ended.output
+            check(ended.status == status and line.units[7][40] == (77 if status else 5) and is_told, f"{identity} behind it", ended)
+    log = (tool.place / "state" / "rtuwire" / "writes.log").read_text().splitlines()
+    check(log[-1].endswith("\t40\t77 (0x004D)\t5"), "what was overwritten is noted", log[-1])
+
+
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_gate, check_control, check_file_of_name):
+        for part in (check_gate, check_control, check_file_of_name, check_question):
             part(tool, check)
 
 

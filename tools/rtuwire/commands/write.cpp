@@ -43,6 +43,7 @@ using held_text = std::optional<std::string>;
 struct held_before {
     held_text text{};
     std::vector<std::uint16_t> words{}; ///< of bits those of all their register; empty where it could not be read
+    std::string note{};                 ///< where that is not what somebody confirmed
 };
 
 constexpr char const* not_tried = "not tried";
@@ -73,7 +74,7 @@ public:
         if (std::optional<ended> const why = why_not(values, line)) {
             throw ended{*why};
         }
-        std::vector<held_before> const before = read(line, values);
+        std::vector<held_before> before = read(line, values);
         if (is_asked(chosen_.allowed)) {
             if (not is_confirmed(values, before)) {
                 return exit_status::refused;
@@ -82,6 +83,7 @@ public:
                 throw ended{exit_status::refused, "another unit answers than when you were asked; nothing is written"};
             }
             refuse_changed_values(values, checked(line));
+            before = read_again(line, values, before);
         }
         note_signals();
         exit_status status = exit_status::done;
@@ -92,7 +94,7 @@ public:
             if (status == exit_status::done) {
                 status = write(line, values[i], before[i]);
             } else {
-                show(values[i], before[i].text, {}, not_tried, {});
+                show(values[i], before[i].text, {}, not_tried, before[i].note);
             }
         }
         return status;
@@ -174,6 +176,19 @@ private:
         return before;
     }
 
+    /// What is overwritten is what stands there behind the question.
+    std::vector<held_before> read_again(open_line& line, std::vector<value_to_write> const& values,
+                                        std::vector<held_before> const& asked)
+    {
+        std::vector<held_before> now = read(line, values);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            if (now[i].text != asked[i].text) {
+                now[i].note = "it was " + shown(asked[i].text) + " when you were asked";
+            }
+        }
+        return now;
+    }
+
     bool is_confirmed(std::vector<value_to_write> const& values, std::vector<held_before> const& before) const
     {
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -193,7 +208,8 @@ private:
             why.emplace(exit_status::port, "nothing could be noted: " + log);
         }
         if (why) {
-            show(value, read_before.text, read_before.text, std::string{"not written: "} + why->what(), {});
+            show(value, read_before.text, read_before.text, std::string{"not written: "} + why->what(),
+                 read_before.note);
             return why->status;
         }
         // Of bits, that the others stay is looked at: those of a value before it are written by now.
@@ -223,6 +239,7 @@ private:
             status = exit_status::differs;
         }
         append(note, is_taken or not error.empty() ? std::string{} : failure + ": read back");
+        append(note, read_before.note);
         std::string missed;
         if (may_be_written(value, before, held, outcome)) {
             append(note, logged(value, before.text, after, missed));

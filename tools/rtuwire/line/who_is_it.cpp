@@ -343,12 +343,11 @@ drive_catalog const* catalog_or_none(std::string const& name)
     return name == no_drive ? nullptr : &catalog_chosen(name);
 }
 
-drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen)
+namespace {
+
+/// The catalog of a drive that was recognised. Ends where it is none.
+drive_catalog const& catalog_of(identity_words const& who, rtuwire::unit_id unit)
 {
-    if (not chosen.empty()) {
-        return catalog_chosen(chosen);
-    }
-    identity_words const who = who_is_it(line, unit);
     if (not who.drive.empty()) {
         return catalog_chosen(who.drive);
     }
@@ -361,6 +360,15 @@ drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::str
                 number + " is a '" + who.vendor + " " + who.product + "', no drive of this program" + say_drive};
 }
 
+std::string text_of(identity_words const& who) { return who.vendor + ' ' + who.product + ' ' + who.revision; }
+
+} // namespace
+
+drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen)
+{
+    return chosen.empty() ? catalog_of(who_is_it(line, unit), unit) : catalog_chosen(chosen);
+}
+
 write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed)
 {
     std::string const number = "unit " + std::to_string(unit.unit.byte());
@@ -371,10 +379,11 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
             refuse_for_safety(number + " calls itself '" + says.vendor + ' ' + says.product + "', and --drive says " +
                               std::string{said.name});
         }
-        return {&said};
+        return {.drive = &said, .says = text_of(says)};
     }
     if (unit.drive.empty()) {
-        return {&catalog_of(line, unit.unit, {})};
+        identity_words const who = who_is_it(line, unit.unit);
+        return {.drive = &catalog_of(who, unit.unit), .says = text_of(who)};
     }
     identity_words const who = who_is_it(line, unit.unit);
     if (not who.drive.empty()) {
@@ -383,7 +392,7 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
                 number + " is an " + who.drive +
                 ", and --drive none says that it is no drive: leave that out, or say --allow-run besides");
         }
-        return {catalog_named(who.drive)};
+        return {.drive = catalog_named(who.drive), .says = text_of(who)};
     }
     if (calls_itself_drive(who)) {
         refuse_for_safety(number + " calls itself '" + who.vendor + ' ' + who.product +
@@ -403,7 +412,8 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
                           std::to_string(marks.address) + " and " + std::to_string(marks.command) +
                           "; --drive none is for what is none; if it is none, say --allow-run besides");
     }
-    return {nullptr, marks.has_all ? std::optional{marks.command} : std::nullopt, not who.product.empty()};
+    return {nullptr, marks.has_all ? std::optional{marks.command} : std::nullopt, not who.product.empty(),
+            text_of(who)};
 }
 
 } // namespace tool

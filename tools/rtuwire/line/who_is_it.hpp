@@ -56,6 +56,7 @@ struct write_rules {
     drive_catalog const* drive{nullptr};    ///< null of one that was said to be no drive
     std::optional<std::uint16_t> command{}; ///< of one that may be a drive all the same: where it has its command word
     bool says_it_is_none{false};            ///< by function 43 it is something else than a drive
+    std::string says{};                     ///< vendor, product and revision, by function 43
 
     friend bool operator==(write_rules const&, write_rules const&) = default;
 };
