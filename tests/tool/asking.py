@@ -324,9 +324,9 @@ def check_once(tool, check):
 def check_full_disk(tool, check):
     """What was sent is told, though the output takes nothing."""
     for form in ([], ["--json"], ["--csv"]):
-        for unit, words, says in ((7, ["06", "00280005"], "unit 7: function 06, write single register: 06 00 28 00 05; 40 = 5 was sent: answered"),
-                                  (0, ["06", "00280005"], "all units: function 06, write single register: 06 00 28 00 05 was sent")):
-            with Units({7: {40: 1}}) as line, open("/dev/full", "wb") as full:
+        for unit, words, says in ((7, ["06", "00140005"], "unit 7: function 06, write single register: 06 00 14 00 05; 20 = 5 was sent: answered"),
+                                  (0, ["06", "00140005"], "all units: function 06, write single register: 06 00 14 00 05 was sent")):
+            with Units({7: {20: 1}}) as line, open("/dev/full", "wb") as full:
                 process = tool.start("--no-listen", *NONE, "--allow-run", "-u", unit, *form, "ask", *words, port=line.name, stdout=full)
                 _, errors = process.communicate(timeout=60)
                 sent = [each for each in line.requests if each[1] == 6]
