@@ -321,6 +321,29 @@ def check_once(tool, check):
     check("\task 41 01\tunknown\tno response" in log, "and noted, for nobody knows what came of it", log)
 
 
+def check_flaws(tool, check):
+    """A response that is not what its function has is an error: to 0C fewer bytes than it always has, to 2B 0E another access."""
+    class Flawed(Units):
+        says = b""
+
+        def next_request(self):
+            if len(self.waiting) >= 4 and crc(self.waiting) == 0:
+                request, self.waiting = self.waiting, b""
+                return request
+            return None
+
+        def answer(self, request):
+            return with_crc(bytes([7]) + self.says)
+
+    for words, says, status in ((["0C"], "0c020000", DIFFERS), (["0C"], "0c06000000010002", DONE),
+                                (["2B", "0E0100"], "2b0e0481000001000141", DIFFERS), (["2B", "0E0100"], "2b0e0181000001000141", DONE)):
+        with Flawed({7: {}}) as line:
+            line.says = bytes.fromhex(says)
+            ended = tool.run("--no-listen", "--timeout", 0.2, "--retries", 0, "-u", 7, "--json", "ask", *words, port=line.name)
+            error = [row["value"] for row in ended.objects() if row["field"] == "error"]
+            check(ended.status == status and bool(error) == (status == DIFFERS), f"{words} is answered by {says}", ended)
+
+
 def check_full_disk(tool, check):
     """What was sent is told, though the output takes nothing."""
     for form in ([], ["--json"], ["--csv"]):
@@ -372,6 +395,7 @@ def main(check, program, libmodbus_server):
         check_once(tool, check)
         check_echo(tool, check)
         check_full_disk(tool, check)
+        check_flaws(tool, check)
 
 
 if len(sys.argv) > 1 and sys.argv[1] == "--serve":

@@ -12,6 +12,7 @@
 
 #include "commands/commands.hpp"
 #include "frame/decode.hpp"
+#include "frame/frame_fit.hpp"
 #include "frame/frame_printer.hpp"
 #include "frame/hex_text.hpp"
 #include "line/end_wish.hpp"
@@ -212,10 +213,14 @@ private:
             throw ended{exit_status::port, line.port().failure()};
         }
         byte_list const response = came(line, unit, outcome);
-        if (outcome and is_echo(line, response)) {
-            why = errc::line_echo;
+        if (outcome) {
+            why = is_echo(line, response)
+                      ? errc::line_echo
+                      : flaw_of_response(pdu_, rtuwire::byte_view{response}.subspan(1, response.size() - 3));
         }
-        std::string const failure = why == errc::none ? std::string{} : line.words_of_failure(why);
+        std::string const failure = why == errc::none                    ? std::string{}
+                                    : outcome and why != errc::line_echo ? words_of(why)
+                                                                         : line.words_of_failure(why);
         std::string const told = failure.empty() ? "answered" : failure;
         note(told);
         show_all(told, [&] {

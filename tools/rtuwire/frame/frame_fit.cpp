@@ -50,6 +50,16 @@ errc flaw_of(byte_view pdu, frame_role role)
     return flaw_by(rtuwire::public_functions{}, pdu, role, static_cast<rtuwire::function_code>(pdu[0]));
 }
 
+errc flaw_of_response(byte_view request, byte_view response)
+{
+    constexpr std::size_t code_of_access = 2;
+    errc const flaw = flaw_of(response, frame_role::response);
+    bool const is_of_another = flaw == errc::none and has_known_fields(request) and has_known_fields(response) and
+                               request[0] == std::byte{43} and request.size() > code_of_access and
+                               response[code_of_access] != request[code_of_access];
+    return is_of_another ? errc::response_mismatch : flaw;
+}
+
 bool is_known_pdu(byte_view pdu)
 {
     return has_known_fields(pdu) and

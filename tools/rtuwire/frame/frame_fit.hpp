@@ -12,6 +12,10 @@ namespace tool {
 /// nothing is known, so that any bytes may be either.
 [[nodiscard]] rtuwire::errc flaw_of(rtuwire::byte_view pdu, rtuwire::frame_role role);
 
+/// What is wrong with a response to a request, beside what a client compares: its own form, and with 43/14 whether it is of the
+/// access that was asked for.
+[[nodiscard]] rtuwire::errc flaw_of_response(rtuwire::byte_view request, rtuwire::byte_view response);
+
 /// Whether this PDU is a request or a response of a public function, or an exception.
 [[nodiscard]] bool is_known_pdu(rtuwire::byte_view pdu);
 
