@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "altivar/device/sixth_drive.hpp"
 #include "altivar/maintenance/maintenance_bench.hpp"
 #include "support/catch.hpp"
 #include "support/proof.hpp"
@@ -55,6 +56,28 @@ bool was_sent_anything(paper_drive const& drive)
 {
     return not drive.writes.empty() or not drive.commands.empty() or drive.saves != 0;
 }
+
+/// A drive whose command is at address 0, and its reference behind it; of its safeguards it has no CHCF.
+struct drive_at_zero : atv99::plain_device {
+    static constexpr reg<signed_decihertz> lfr{.code = "LFR", .address = 1};
+    static constexpr auto const& frequency_reference = lfr;
+    static constexpr drive_layout layout = [] {
+        drive_layout as_told = atv99::plain_device::layout;
+        as_told.cmd = 0;
+        return as_told;
+    }();
+    static constexpr cycle_registers cycle{
+        .by = function_code::write_multiple_registers, .reads = {2'310, 2'311}, .writes = {0, 1}, .speed = 2'310};
+};
+
+/// One that has nothing there: 0 is a word of its scanner that a program may use, and a safeguard that it lacks.
+using drive_without_zero = atv99::device;
+
+constexpr parameter at_zero(row_role const& role) { return {"X", 0, rw, in<count16>, {}, {}, {}, "Forgotten", &role}; }
+STATIC_CHECK(not agrees_with_drive<drive_at_zero>(at_zero(roles::ordinary)));
+STATIC_CHECK(not agrees_with_drive<drive_at_zero>(at_zero(roles::link_loss)));
+STATIC_CHECK(agrees_with_drive<drive_at_zero>(at_zero(roles::commands)));
+STATIC_CHECK(agrees_with_drive<drive_without_zero>(at_zero(roles::ordinary)));
 
 // What meets a demand.
 STATIC_CHECK(row_demand{1, true}.is_met_by(parameter_role::order));

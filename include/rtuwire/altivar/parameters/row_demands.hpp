@@ -23,7 +23,7 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
 
-/// What the row at an address has to be. Address 0: the drive has no such register.
+/// What the row at an address has to be.
 struct row_demand {
     std::uint16_t address{0};
     bool is_no_setting{true}; ///< never restored; otherwise not without an option that names it
@@ -41,27 +41,35 @@ inline constexpr auto row_demands = [] {
     constexpr safeguard_layout own = layout.safeguards;
     constexpr cycle_addresses writes = Device::cycle.writes;
     constexpr scanner_registers scanner = Device::scanner;
+    // Every drive has these, at address 0 too.
     constexpr std::uint16_t words[]{layout.cmd,
                                     layout.cmi,
-                                    layout.other_cmd,
                                     layout.eta,
                                     layout.eti,
                                     layout.lft,
                                     layout.rfr,
-                                    own.inputs,
                                     Device::speed_reference.address,
                                     Device::frequency_reference.address};
-    constexpr std::uint16_t safeguards[]{own.sll, own.tto, own.chcf, own.cd1, own.fr1, own.flo, own.atr, own.tcc};
-    std::array<row_demand, std::size(words) + std::size(safeguards) + writes.size() + 2U * scanner.words> all{};
+    // Of these, address 0 says that the drive has none.
+    constexpr row_demand if_any[]{{layout.other_cmd}, {own.inputs},     {own.sll, false}, {own.tto, false},
+                                  {own.chcf, false},  {own.cd1, false}, {own.fr1, false}, {own.flo, false},
+                                  {own.atr, false},   {own.tcc, false}};
+    std::array<row_demand, std::size(words) + std::size(if_any) + writes.size() + 2U * scanner.words> all{};
+    all.fill({layout.cmd}); // what is left over
     std::size_t next = 0;
     for (std::uint16_t const each : words) {
         all[next++] = {each};
     }
-    for (std::size_t i = 0; i < writes.size(); ++i) {
-        all[next++] = {writes[i]};
+    for (row_demand const& each : if_any) {
+        if (each.address != 0) {
+            all[next++] = each;
+        }
     }
-    for (std::uint16_t const each : safeguards) {
-        all[next++] = {each, false};
+    for (std::size_t i = 0; i < writes.size(); ++i) {
+        bool const is_left_to_program = Device::cycle.by_scanner and writes[i] == 0;
+        if (not is_left_to_program) {
+            all[next++] = {writes[i]};
+        }
     }
     for (std::size_t i = 0; i < scanner.words; ++i) {
         all[next++] = {static_cast<std::uint16_t>(scanner.output_words + i)};
@@ -75,7 +83,7 @@ template <typename Device> [[nodiscard]] constexpr bool agrees_with_drive(parame
 {
     bool agrees = true;
     for (row_demand const& each : row_demands<Device>) {
-        agrees = agrees and (each.address == 0 or each.address != row.address or each.is_met_by(role_of(row)));
+        agrees = agrees and (each.address != row.address or each.is_met_by(role_of(row)));
     }
     return agrees;
 }
@@ -87,8 +95,8 @@ inline constexpr bool has_rows_with_roles<T> = [] {
     bool all = detail::row_check<typename T::registers>::passed;
     for (row_demand const& each : row_demands<T>) {
         // GCC with -fsanitize=undefined compares no address of a constant, not even with null.
-        bool const has_row = each.address != 0 and T::registers::has_address(each.address);
-        all = all and (not has_row or each.is_met_by(role_of(*T::registers::row_for(each.address))));
+        all = all and (not T::registers::has_address(each.address) or
+                       each.is_met_by(role_of(*T::registers::row_for(each.address))));
     }
     return all;
 }();
