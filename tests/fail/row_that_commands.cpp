@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A drive whose row of the command word, its reference or its reaction to a lost link does not say what it is: a restore
-// would write it like a setting.
+// would write it like a setting, or, SLL as the place on another bus, by an option that says nothing of it.
 // EXPECT: a row at a register that commands the drive, tells its state or safeguards it lacks the role of that
-// CASES: 3
+// CASES: 4
 #include <rtuwire/altivar/own_parameters.hpp>
 
 #include "../altivar/device/sixth_drive.hpp"
@@ -24,7 +24,9 @@ inline constexpr row_access rw{rtuwire::access::read_write, rtuwire::provenance:
 inline constexpr parameter named[]{
     REFUSED == 1 ? parameter{"CMD", 52000, rw, in<rtuwire::count16>} : row_of(cmd, commands),
     REFUSED == 2 ? parameter{"LFR", 52001, rw, in<rtuwire::signed_decihertz>} : row_of(lfr, setpoint),
-    REFUSED == 3 ? parameter{"SLL", 1022, rw, in<rtuwire::count16>} : row_of(sll, link_loss)};
+    REFUSED == 3   ? parameter{"SLL", 1022, rw, in<rtuwire::count16>}
+    : REFUSED == 4 ? row_of(sll, other_bus)
+                   : row_of(sll, link_loss)};
 
 // clang-format off
 inline constexpr parameter others[]{

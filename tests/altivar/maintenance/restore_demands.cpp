@@ -26,9 +26,22 @@ constexpr row_access rw{access::read_write, provenance::documented};
 constexpr std::uint16_t never[]{8501,  8502,  8504,  8602,          // CMD, LFR, CMI, LFRD
                                 3201,  3202,  3206,  7121,  5202,   // ETA, RFR, ETI, LFT, IL1R
                                 12761, 12762, 12763, 12767, 12768}; // NC1 and on
-constexpr std::uint16_t by_option[]{7010,  6005, 7122, 8401,
-                                    8423,  8413, 8431, 11101, // SLL, TTO, ATR, CHCF, CD1, FR1, FLO, TCC
-                                    12721, 12728};            // NCA1, NCA8
+struct register_with_role {
+    std::uint16_t address;
+    parameter_role role;
+};
+constexpr register_with_role by_role[]{
+    {7010, parameter_role::supervision},     {6005, parameter_role::link_timeout},    // SLL, TTO
+    {7122, parameter_role::restart},         {8401, parameter_role::channel},         // ATR, CHCF
+    {8423, parameter_role::channel},         {8413, parameter_role::channel},         // CD1, FR1
+    {8431, parameter_role::channel},         {11101, parameter_role::run_input},      // FLO, TCC
+    {12721, parameter_role::channel},        {12728, parameter_role::channel},        // NCA1, NCA8
+    {8652, parameter_role::motion},                                                   // DOTD
+    {3105, parameter_role::frequency_limit}, {3104, parameter_role::frequency_limit}, // LSP, HSP
+};
+constexpr row_role const* other_roles[]{&roles::ordinary,  &roles::ramp,      &roles::steps,  &roles::speed_limit,
+                                        &roles::link_loss, &roles::timeout,   &roles::wiring, &roles::commander,
+                                        &roles::restarts,  &roles::other_bus, &roles::macro,  &roles::this_line};
 
 constexpr std::uint16_t wanted_word = 15;
 
@@ -80,10 +93,13 @@ STATIC_CHECK(agrees_with_drive<drive_at_zero>(at_zero(roles::commands)));
 STATIC_CHECK(agrees_with_drive<drive_without_zero>(at_zero(roles::ordinary)));
 
 // What meets a demand.
-STATIC_CHECK(row_demand{1, true}.is_met_by(parameter_role::order));
-STATIC_CHECK(not row_demand{1, true}.is_met_by(parameter_role::channel));
-STATIC_CHECK(row_demand{1, false}.is_met_by(parameter_role::supervision));
-STATIC_CHECK(not row_demand{1, false}.is_met_by(parameter_role::setting));
+STATIC_CHECK(row_demand{1}.is_met_by(parameter_role::order));
+STATIC_CHECK(row_demand{1}.is_met_by(parameter_role::read_only));
+STATIC_CHECK(not row_demand{1}.is_met_by(parameter_role::channel));
+STATIC_CHECK(row_demand{1, parameter_role::supervision}.is_met_by(parameter_role::supervision));
+STATIC_CHECK(row_demand{1, parameter_role::supervision}.is_met_by(parameter_role::read_only));
+STATIC_CHECK(not row_demand{1, parameter_role::supervision}.is_met_by(parameter_role::other_link));
+STATIC_CHECK(not row_demand{1, parameter_role::supervision}.is_met_by(parameter_role::setting));
 
 } // namespace
 
@@ -99,13 +115,16 @@ TEST_CASE("a row without a role at a register that commands the drive, or tells 
     }
 }
 
-TEST_CASE("a row without a role at a safeguard of the drive is never restored")
+TEST_CASE("a row of another role at a safeguard of the drive, or at a limit of its speed, is never restored")
 {
-    for (std::uint16_t const address : by_option) {
-        for (row_role const* const role : {&roles::ordinary, &roles::ramp, &roles::steps}) {
-            INFO(address << " " << static_cast<int>(role->role));
+    for (register_with_role const& each : by_role) {
+        for (row_role const* const role : other_roles) {
+            if (role->role == each.role) {
+                continue;
+            }
+            INFO(each.address << " " << static_cast<int>(role->role));
             paper_drive drive;
-            CHECK(restored(address, *role, drive) == told::never_written);
+            CHECK(restored(each.address, *role, drive) == told::never_written);
             CHECK(not was_sent_anything(drive));
         }
     }

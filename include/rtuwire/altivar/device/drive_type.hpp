@@ -209,8 +209,8 @@ template <typename T> struct drive_check {
                                               "whose limits they keep");
     static_assert(has_address_of_its_own<T>, "a drive is asked at 1 to 247, never at a reserved address: `units`");
     static_assert(has_rows_with_roles<T>, "a row at a register that commands the drive, tells its state or safeguards "
-                                          "it lacks the role of that, and would be restored as a setting: &commands, "
-                                          "&setpoint, &link_loss ...");
+                                          "it lacks the role of that, and would be restored as what it is not: "
+                                          "&commands, &setpoint, &link_loss; of LSP and HSP, &speed_limit ...");
 
     static constexpr bool passed = drive_type<T>;
     static constexpr drive_layout const& layout = T::layout;

@@ -23,14 +23,14 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
 
-/// What the row at an address has to be.
+/// What the row at an address has to be: never restored, or by the option of this role.
 struct row_demand {
     std::uint16_t address{0};
-    bool is_no_setting{true}; ///< never restored; otherwise not without an option that names it
+    parameter_role role{parameter_role::order}; ///< one that is not restorable: never restored
 
-    [[nodiscard]] constexpr bool is_met_by(parameter_role role) const noexcept
+    [[nodiscard]] constexpr bool is_met_by(parameter_role found) const noexcept
     {
-        return not is_restorable(role) or (not is_no_setting and not needs_no_option(role));
+        return not is_restorable(found) or found == role;
     }
 };
 
@@ -51,9 +51,19 @@ inline constexpr auto row_demands = [] {
                                     Device::speed_reference.address,
                                     Device::frequency_reference.address};
     // Of these, address 0 says that the drive has none.
-    constexpr row_demand if_any[]{{layout.other_cmd}, {own.inputs},     {own.sll, false}, {own.tto, false},
-                                  {own.chcf, false},  {own.cd1, false}, {own.fr1, false}, {own.flo, false},
-                                  {own.atr, false},   {own.tcc, false}};
+    constexpr row_demand if_any[]{{layout.other_cmd},
+                                  {own.inputs},
+                                  {own.sll, parameter_role::supervision},
+                                  {own.tto, parameter_role::link_timeout},
+                                  {own.chcf, parameter_role::channel},
+                                  {own.cd1, parameter_role::channel},
+                                  {own.fr1, parameter_role::channel},
+                                  {own.flo, parameter_role::channel},
+                                  {own.atr, parameter_role::restart},
+                                  {own.tcc, parameter_role::run_input},
+                                  {own.dotd, parameter_role::motion},
+                                  {layout.lsp, parameter_role::frequency_limit},
+                                  {layout.hsp, parameter_role::frequency_limit}};
     std::array<row_demand, std::size(words) + std::size(if_any) + writes.size() + 2U * scanner.words> all{};
     all.fill({layout.cmd}); // what is left over
     std::size_t next = 0;
@@ -73,7 +83,7 @@ inline constexpr auto row_demands = [] {
     }
     for (std::size_t i = 0; i < scanner.words; ++i) {
         all[next++] = {static_cast<std::uint16_t>(scanner.output_words + i)};
-        all[next++] = {static_cast<std::uint16_t>(scanner.output_addresses + i), false};
+        all[next++] = {static_cast<std::uint16_t>(scanner.output_addresses + i), parameter_role::channel};
     }
     return all;
 }();
