@@ -158,6 +158,50 @@ template <typename Table, typename IsWrong>
     return found;
 }
 
+/// The count that a number has as a floating point one.
+template <typename Real> [[nodiscard]] constexpr bool is_held_as(std::int64_t count) noexcept
+{
+    constexpr std::int64_t most = std::int64_t{1} << 62U;
+    return count >= -most and count <= most and static_cast<std::int64_t>(static_cast<Real>(count)) == count;
+}
+
+/// Whether a number of so many words, more than none, holds a count.
+[[nodiscard]] constexpr bool is_held_in(std::uint16_t words, bool is_signed, std::int64_t count) noexcept
+{
+    if (words > 3) {
+        return is_signed or count >= 0;
+    }
+    std::int64_t const values = std::int64_t{1} << (16U * words);
+    return is_signed ? count >= -(values / 2) and count < values / 2 : count >= 0 and count < values;
+}
+
+/// Whether what a row holds has a count as one of its values.
+template <typename Row> [[nodiscard]] constexpr bool is_held_by(Row const& row, std::int64_t count) noexcept
+{
+    if constexpr (not Row::is_plain) {
+        if (row.type.has_form() and row.type.form().is_bit) {
+            return count == 0 or count == 1;
+        }
+        if (row.type.has_form() and row.type.form().is_real) {
+            return row.type.form().word_count == 2 ? is_held_as<float>(count) : is_held_as<double>(count);
+        }
+        return is_held_in(row.word_count(), row.type->kind == parameter_kind::signed_number, count);
+    } else {
+        return is_held_in(1, row.type->kind == parameter_kind::signed_number, count);
+    }
+}
+
+template <typename Row> [[nodiscard]] constexpr bool has_limit_beyond_type(Row const& row) noexcept
+{
+    return (row.min.is_number() and not is_held_by(row, row.min.raw())) or
+           (row.max.is_number() and not is_held_by(row, row.max.raw()));
+}
+
+template <typename Row> [[nodiscard]] constexpr bool is_delivered_beyond_type(Row const& row) noexcept
+{
+    return row.factory and not is_held_by(row, *row.factory);
+}
+
 [[nodiscard]] constexpr bool has_reversed_limits(register_row const& row) noexcept
 {
     return row.min.is_number() and row.max.is_number() and row.min.raw() > row.max.raw();
@@ -170,7 +214,7 @@ template <typename Table, typename IsWrong>
     }
     bool const is_listed = row.type->kind != parameter_kind::enumeration or
                            has_meaning(row.choices(), static_cast<std::uint16_t>(*row.factory));
-    return not is_listed or (row.min.is_number() and *row.factory < row.min.raw()) or
+    return not is_listed or is_delivered_beyond_type(row) or (row.min.is_number() and *row.factory < row.min.raw()) or
            (row.max.is_number() and *row.factory > row.max.raw()) or row.gap.contains(*row.factory);
 }
 
@@ -197,6 +241,7 @@ template <typename Table, typename IsWrong>
 template <std::uint32_t Address> struct two_rows_have_this_address;
 template <std::uint32_t Address> struct two_rows_have_the_code_of_this_one;
 template <std::uint32_t Address> struct this_row_has_its_limits_reversed;
+template <std::uint32_t Address> struct this_row_has_a_limit_that_its_type_does_not_hold;
 template <std::uint32_t Address> struct this_row_is_delivered_with_a_value_that_it_does_not_take;
 template <std::uint32_t Address> struct this_row_holds_what_its_kind_cannot;
 template <std::uint32_t Address> struct this_row_has_one_choice_twice;
@@ -204,6 +249,7 @@ template <std::uint32_t Address> struct this_row_ends_behind_address_65535;
 template <> struct two_rows_have_this_address<detail::no_row> {};
 template <> struct two_rows_have_the_code_of_this_one<detail::no_row> {};
 template <> struct this_row_has_its_limits_reversed<detail::no_row> {};
+template <> struct this_row_has_a_limit_that_its_type_does_not_hold<detail::no_row> {};
 template <> struct this_row_is_delivered_with_a_value_that_it_does_not_take<detail::no_row> {};
 template <> struct this_row_holds_what_its_kind_cannot<detail::no_row> {};
 template <> struct this_row_has_one_choice_twice<detail::no_row> {};
@@ -375,10 +421,16 @@ private:
 namespace detail {
 
 /// What the rows of a device have to be; of a drive's, whose limits a test compares with its list, only that none is there
-/// twice.
+/// twice, and that each is what a word holds.
 template <typename Table> struct row_check {
+    using row = typename Table::row_type;
     static_assert(sizeof(two_rows_have_this_address<Table::address_taken()>) > 0);
     static_assert(sizeof(two_rows_have_the_code_of_this_one<Table::code_taken()>) > 0);
+    static_assert(
+        sizeof(this_row_has_a_limit_that_its_type_does_not_hold<first_wrong_row<Table>(has_limit_beyond_type<row>)>) >
+        0);
+    static_assert(sizeof(this_row_is_delivered_with_a_value_that_it_does_not_take<
+                         first_wrong_row<Table>(is_delivered_beyond_type<row>)>) > 0);
     static constexpr bool passed = true;
 };
 template <typename Table>
@@ -386,6 +438,8 @@ template <typename Table>
 struct row_check<Table> {
     static_assert(sizeof(two_rows_have_this_address<Table::address_taken()>) > 0);
     static_assert(sizeof(two_rows_have_the_code_of_this_one<Table::code_taken()>) > 0);
+    static_assert(sizeof(this_row_has_a_limit_that_its_type_does_not_hold<
+                         first_wrong_row<Table>(has_limit_beyond_type<register_row>)>) > 0);
     static_assert(sizeof(this_row_has_its_limits_reversed<first_wrong_row<Table>(has_reversed_limits)>) > 0);
     static_assert(
         sizeof(this_row_is_delivered_with_a_value_that_it_does_not_take<first_wrong_row<Table>(is_delivered_wrong)>) >
@@ -427,6 +481,15 @@ public:
     static constexpr auto row = table::row_at(place);
 
 private:
+    // The rows of a drive are checked one by one.
+    static_assert(sizeof(this_row_has_a_limit_that_its_type_does_not_hold < detail::has_limit_beyond_type(row)
+                             ? row.address
+                             : detail::no_row >) > 0);
+    static_assert(sizeof(this_row_is_delivered_with_a_value_that_it_does_not_take <
+                                 detail::is_delivered_beyond_type(row)
+                             ? row.address
+                             : detail::no_row >) > 0);
+
     /// Of an amount that the device lists.
     template <typename Type> [[nodiscard]] static constexpr auto amount(Type const&) noexcept
     {
