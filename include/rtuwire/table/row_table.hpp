@@ -228,8 +228,11 @@ template <typename Row> [[nodiscard]] constexpr bool is_delivered_beyond_type(Ro
 [[nodiscard]] constexpr bool has_one_choice_twice(register_row const& row) noexcept
 {
     for (std::size_t i = 1; i < row.choices().size(); ++i) {
-        if (has_meaning(row.choices().first(i), row.choices()[i].word)) {
-            return true;
+        choice const& last = row.choices()[i];
+        for (choice const& each : row.choices().first(i)) {
+            if (each.word == last.word or (each.mnemonic == last.mnemonic and each.mnemonic.size() != 0)) {
+                return true;
+            }
         }
     }
     return false;
@@ -588,26 +591,39 @@ struct all_registers<row_table<Device, Objects, Lists...>>
     : registers_of_rows<row_table<Device, Objects, Lists...>,
                         std::make_index_sequence<row_table<Device, Objects, Lists...>::size>> {};
 
+/// Where a name stands in a list, and how often.
+struct found_name {
+    std::size_t place;
+    std::size_t times{0};
+
+    constexpr void look_at(std::size_t at, bool is_it) noexcept
+    {
+        place = is_it ? at : place;
+        times += is_it ? 1U : 0U;
+    }
+};
+
 /// A value by its name.
 template <mnemonic Name> struct named_choice {
     /// The value of an enumeration that has this name.
     template <register_enumeration Enum> [[nodiscard]] static consteval Enum value() noexcept
     {
         constexpr std::size_t count = enumerators<Enum>.size();
-        constexpr std::size_t place = [] {
-            std::size_t found = count;
+        constexpr found_name found = [] {
+            found_name by_mnemonic{count};
+            found_name by_meaning{count};
             for (std::size_t i = 0; i < count; ++i) {
-                found = enumerators<Enum>[i].name == literal{Name.letters} ? i : found;
+                named_value const& each = enumerators<Enum>[i];
+                by_mnemonic.look_at(i, each.name == literal{Name.letters});
+                by_meaning.look_at(i, listed_name(meanings<Enum>, each.value) == literal{Name.letters});
             }
-            for (std::size_t i = 0; found == count and i < count; ++i) {
-                found = detail::listed_name(meanings<Enum>, enumerators<Enum>[i].value) == literal{Name.letters}
-                            ? i
-                            : found;
-            }
-            return found;
+            return by_mnemonic.times == 0 ? by_meaning : by_mnemonic;
         }();
+        constexpr std::size_t place = found.place;
         constexpr bool is_known = place < count;
+        static_assert(literal{Name.letters}.size() != 0, "a value without a name is asked for by its number");
         static_assert(is_known, "this register has no value of this name");
+        static_assert(found.times < 2, "this register has two values of this name");
         return static_cast<Enum>(enumerators<Enum>[is_known ? place : 0].value);
     }
 
