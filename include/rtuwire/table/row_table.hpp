@@ -225,6 +225,18 @@ template <typename Row> [[nodiscard]] constexpr bool is_delivered_beyond_type(Ro
     return is_space_of_bits(row.kind.space) != is_bit or (is_read and row.mode() != access::read_only);
 }
 
+/// Whether a word of bits has a name for one that no word has.
+template <typename Row> [[nodiscard]] constexpr bool has_bit_beyond_word(Row const& row) noexcept
+{
+    bool has_one = false;
+    if (row.type->kind == parameter_kind::bits) {
+        for (choice const& each : row.choices()) {
+            has_one = has_one or each.word > 15;
+        }
+    }
+    return has_one;
+}
+
 [[nodiscard]] constexpr bool has_one_choice_twice(register_row const& row) noexcept
 {
     for (std::size_t i = 1; i < row.choices().size(); ++i) {
@@ -248,6 +260,7 @@ template <std::uint32_t Address> struct this_row_has_a_limit_that_its_type_does_
 template <std::uint32_t Address> struct this_row_is_delivered_with_a_value_that_it_does_not_take;
 template <std::uint32_t Address> struct this_row_holds_what_its_kind_cannot;
 template <std::uint32_t Address> struct this_row_has_one_choice_twice;
+template <std::uint32_t Address> struct this_row_has_a_bit_beyond_15;
 template <std::uint32_t Address> struct this_row_ends_behind_address_65535;
 template <> struct two_rows_have_this_address<detail::no_row> {};
 template <> struct two_rows_have_the_code_of_this_one<detail::no_row> {};
@@ -256,6 +269,7 @@ template <> struct this_row_has_a_limit_that_its_type_does_not_hold<detail::no_r
 template <> struct this_row_is_delivered_with_a_value_that_it_does_not_take<detail::no_row> {};
 template <> struct this_row_holds_what_its_kind_cannot<detail::no_row> {};
 template <> struct this_row_has_one_choice_twice<detail::no_row> {};
+template <> struct this_row_has_a_bit_beyond_15<detail::no_row> {};
 template <> struct this_row_ends_behind_address_65535<detail::no_row> {};
 
 namespace detail {
@@ -301,6 +315,10 @@ template <typename Table> struct row_addresses<Table, false> {
 
 template <typename Device, char... Letters> struct row_named;
 
+namespace detail {
+template <typename Table> [[nodiscard]] consteval bool is_checked() noexcept;
+} // namespace detail
+
 /// The registers of a device that has rows: those of `Objects`, a table, and the rows of some lists. A list is an array of
 /// `register_row`; or, of a drive, a map, whose rows have the registers of the table among them. `Device` is the device,
 /// whose rows another one, of other scanner words, may share.
@@ -336,7 +354,7 @@ public:
         if constexpr (detail::is_row_of<Device, std::remove_cvref_t<decltype(R)>>) {
             return true;
         } else {
-            return Objects::template contains<R>;
+            return detail::is_checked<row_table>() and Objects::template contains<R>;
         }
     }();
 
@@ -388,10 +406,19 @@ public:
         return second == 0 ? detail::no_row : addresses::keys[second] & 0xFFFFU;
     }
 
-    /// The address of a row whose mnemonic another one has.
+    /// The address of a row whose mnemonic another one has, or an object beside them.
     /// Internal.
     [[nodiscard]] static constexpr std::uint32_t code_taken() noexcept
     {
+        if constexpr (not row_type::is_plain) {
+            for (row_type const* const row : rows) {
+                bool is_taken = false;
+                Objects::for_each([&]<auto const & R>() { is_taken = is_taken or R.code == row->code; });
+                if (is_taken) {
+                    return row->address;
+                }
+            }
+        }
         std::size_t const second = by_code.duplicate().second;
         return second == 0 ? detail::no_row : rows[second]->address;
     }
@@ -434,6 +461,7 @@ template <typename Table> struct row_check {
         0);
     static_assert(sizeof(this_row_is_delivered_with_a_value_that_it_does_not_take<
                          first_wrong_row<Table>(is_delivered_beyond_type<row>)>) > 0);
+    static_assert(sizeof(this_row_has_a_bit_beyond_15<first_wrong_row<Table>(has_bit_beyond_word<row>)>) > 0);
     static constexpr bool passed = true;
 };
 template <typename Table>
@@ -449,6 +477,7 @@ struct row_check<Table> {
         0);
     static_assert(sizeof(this_row_holds_what_its_kind_cannot<first_wrong_row<Table>(is_of_another_kind)>) > 0);
     static_assert(sizeof(this_row_has_one_choice_twice<first_wrong_row<Table>(has_one_choice_twice)>) > 0);
+    static_assert(sizeof(this_row_has_a_bit_beyond_15<first_wrong_row<Table>(has_bit_beyond_word<register_row>)>) > 0);
     static constexpr bool passed = true;
 };
 
@@ -458,7 +487,7 @@ template <typename Called> struct row_value {
     friend consteval std::span<choice const> choices_beside(type) { return Called::row.choices(); }
 };
 
-/// The rows of a device are checked where one of them is first named; those of a drive, of which there may be a thousand,
+/// The rows of a device are checked where one of them, or an object beside them, is first used; those of a drive, of which there may be a thousand,
 /// by `drive_check`.
 template <typename Table> [[nodiscard]] consteval bool is_checked() noexcept
 {

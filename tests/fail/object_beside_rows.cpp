@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// An object that has the mnemonic of a row, where only the object is used.
+// EXPECT: two_rows_have_the_code_of_this_one<50>
+#include <rtuwire/client.hpp>
+#include <rtuwire/rows.hpp>
+
+using namespace rtuwire;
+
+namespace meter {
+
+#ifdef REFUSED
+inline constexpr reg<count16> object{.code = "M", .address = 51};
+#else
+inline constexpr reg<count16> object{.code = "O", .address = 51};
+#endif
+
+inline constexpr register_row rows[]{{"M", 50, row_words::rw, in<count16>}};
+
+struct device {
+    static constexpr literal name{"meter"};
+    static constexpr function_set functions = all_functions;
+    static constexpr device_limits limits{};
+    static constexpr unit_range units{};
+    static constexpr std::array<address_range, 0> readable{};
+    using amounts = amount_types<count16>;
+    using registers = row_table<device, table<object>, rows>;
+};
+
+} // namespace meter
+
+inline auto const tell = write<meter::object>(station<meter::device>{unit_id{3}}, 5_raw);
