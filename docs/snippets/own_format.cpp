@@ -46,10 +46,11 @@ struct read_counted_words {
                    ? 0
                    : 6 + 256 * std::to_integer<std::size_t>(so_far[2]) + std::to_integer<std::size_t>(so_far[3]);
     }
-    /// Whether it answers the request; both without unit and CRC.
+    /// Whether it answers the request; both without unit and CRC. Of a `raw_pdu` of this code, too, which may be shorter.
     static constexpr errc check_response(byte_view asked, byte_view came)
     {
-        return came.size() == 3 + 2 * std::to_integer<std::size_t>(asked[4]) ? errc::none : errc::response_mismatch;
+        bool const fits = asked.size() == max_size and came.size() == 3 + 2 * std::to_integer<std::size_t>(asked[4]);
+        return fits ? errc::none : errc::response_mismatch;
     }
 };
 //! [request]

@@ -182,6 +182,25 @@ TEST_CASE("W02: an exception and the other functions are as they were beside a f
           errc::wrong_length);
 }
 
+TEST_CASE("defect: the check of a format of one's own judges a raw request of the function, however short")
+{
+    for (std::size_t size = 0; size < 5; ++size) {
+        CAPTURE(size);
+        std::array<std::byte, 4> const data{std::byte{0x07}, std::byte{0xEE}, std::byte{0}, std::byte{2}};
+        frame_bytes asked = bytes_of({1, 3, 7, 0xEE, 0, 2});
+        asked.resize(2 + size);
+        std::vector<unsigned> plain;
+        for (std::byte const each : asked) {
+            plain.push_back(std::to_integer<unsigned>(each));
+        }
+        for (auto const& [came, expected] :
+             {std::pair{w03_came, errc::none}, std::pair{framed({1, 3, 2, 0, 7}), errc::response_mismatch}}) {
+            single_request raw{unit_id{1}, raw_pdu{function_code::read_holding_registers, byte_view{data}.first(size)}};
+            CHECK(outcome_of<basic_client<wide>>(raw, came, framed(plain)) == expected);
+        }
+    }
+}
+
 TEST_CASE("W05, W06: a unit at a reserved address is asked by name")
 {
     single_request words{unit_id::reserved(248), read_input_registers{0, 8}};

@@ -29,7 +29,8 @@ inline namespace RTUWIRE_BUILD {
 /// Functions, each by the type of its request. A request may have a response of a format of its own, for units that use a code
 /// in their own way, public ones too: it then has `static constexpr std::size_t length_of_response(byte_view so_far)`, how many
 /// bytes the frame has from the unit to the CRC as soon as those so far tell, else 0; `check_response(request_pdu, response_pdu)`,
-/// whether it fits, in place of all that a client else compares but unit and function; and a `response` with `max_size`.
+/// whether it fits, in place of all that a client else compares but unit and function, also of a `raw_pdu` of that code, which
+/// may be shorter than any request of the type; and a `response` with `max_size`.
 template <typename... Functions> struct function_list {
     static constexpr function_set codes{detail::function_row<Functions>::code...};
 

@@ -78,6 +78,13 @@ template <typename... Functions>
     return found;
 }
 
+/// The shortest request PDU with which the check of a function's own compares: any, where the format is one's own.
+template <typename Function> [[nodiscard]] constexpr std::size_t shortest_checked_by(std::size_t usual) noexcept
+{
+    constexpr std::size_t most = function_row<Function>::max_size;
+    return has_own_format<Function> ? 1 : most < usual ? most : usual;
+}
+
 /// The shortest request PDU with which a response may be compared: 4 bytes, or the shortest request of a function that
 /// has a check of its own.
 template <typename... Functions>
@@ -86,7 +93,7 @@ template <typename... Functions>
     std::size_t shortest = usual;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
         if constexpr (function_row<Function>::rules.answers == answer_rule::own) {
-            shortest = function_row<Function>::max_size < shortest ? function_row<Function>::max_size : shortest;
+            shortest = shortest_checked_by<Function>(shortest);
         }
     };
     (ask(std::type_identity<Functions>{}), ...);
@@ -103,8 +110,7 @@ template <typename... Functions>
     constexpr bool is_usual = shortest_checked(function_list<Functions...>{}, usual) == usual;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
         if constexpr (function_row<Function>::rules.answers == answer_rule::own) {
-            constexpr std::size_t least =
-                function_row<Function>::max_size < usual ? function_row<Function>::max_size : usual;
+            constexpr std::size_t least = shortest_checked_by<Function>(usual);
             if (code == to_u8(function_row<Function>::code) and (is_usual or request_pdu.size() >= least)) {
                 found = function_row<Function>::check_response(request_pdu, response_pdu);
             }
