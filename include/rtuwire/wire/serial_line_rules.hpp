@@ -53,6 +53,8 @@ template <typename Request> struct own_row {
     static_assert(has_response_check<Request>,
                   "a request with length_of_response has a check_response, too: static errc "
                   "(byte_view request_pdu, byte_view response_pdu)");
+    static_assert(Request::response::max_size <= max_pdu_size,
+                  "a response has at most 253 bytes without unit and CRC: its max_size");
     static constexpr function_code code = Request::code;
     static constexpr frame_rules rules{sized(length_rule::none), sized(length_rule::own), answer_rule::own};
     static constexpr std::size_t max_size = Request::max_size;
