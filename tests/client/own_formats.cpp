@@ -91,7 +91,31 @@ struct spindle_order {
     }
 };
 
+/// Another use of function 43 than its identification: of type 7, and counted.
+struct encapsulated {
+    using response = all_of_it;
+    static constexpr function_code code = function_code::encapsulated_interface;
+    static constexpr std::size_t max_size = 2;
+    static constexpr errc check() { return errc::none; }
+    static constexpr std::size_t size() { return max_size; }
+    static constexpr void write(byte_writer& out)
+    {
+        out.u8(0x2B);
+        out.u8(7);
+    }
+    static constexpr std::size_t length_of_response(byte_view so_far)
+    {
+        return so_far.size() < 4 ? 0 : 6 + at(so_far, 3);
+    }
+    static constexpr errc check_response(byte_view, byte_view came)
+    {
+        return came.size() == 3 + 2 ? errc::none : errc::response_mismatch;
+    }
+};
+
 inline constexpr client_needs<public_functions_and<read_counted_by_words>> counted_by_words{};
+inline constexpr client_needs<public_functions_and<encapsulated>> interfaces{};
+static_assert(public_functions_and<encapsulated>::codes == all_functions);
 inline constexpr client_needs<function_list<read_wide, read_input_registers>> wide{.longest_frame = 63};
 inline constexpr client_needs<public_functions_and<spindle_order>> spindle{};
 
@@ -167,6 +191,18 @@ TEST_CASE("W24: a unit that uses 05 for frames of its own is answered by a copy,
     frame_bytes other = framed({0x01, 0x05, 0x02, 0x13, 0x89});
     single_request again{unit_id{1}, spindle_order{}};
     CHECK(outcome_of<basic_client<spindle>>(again, other, w24) == errc::response_mismatch);
+}
+
+TEST_CASE("defect: 43 in a format of one's own is no identification of a device")
+{
+    for (std::size_t const piece : {1U, 256U}) {
+        for (auto const& [came, expected] : {std::pair{framed({1, 0x2B, 7, 2, 8, 9}), errc::none},
+                                             std::pair{framed({1, 0x2B, 7, 1, 8}), errc::response_mismatch},
+                                             std::pair{framed({1, 0x2B, 7, 9, 8, 9}), errc::wrong_length}}) {
+            single_request own{unit_id{1}, encapsulated{}};
+            CHECK(outcome_of<basic_client<interfaces>>(own, came, framed({1, 0x2B, 7}), piece) == expected);
+        }
+    }
 }
 
 TEST_CASE("W02: an exception and the other functions are as they were beside a format of one's own")

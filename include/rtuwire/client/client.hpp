@@ -348,6 +348,9 @@ public:
         static_assert(
             detail::has_what_it_asks<typename needed::functions, Conversation>(),
             "this client's list of functions lacks one that the conversation asks: add it to its client_needs");
+        static_assert(not detail::asks_usual_of_own<Conversation>(typename needed::functions{}),
+                      "this client asks a function of the conversation in a format of one's own: its usual form takes "
+                      "another client");
         static_assert(detail::has_room_for<Needs, Conversation>(),
                       "this client has no room for the longest frames of the conversation: give its client_needs a "
                       "larger longest_frame");

@@ -169,6 +169,19 @@ template <typename Functions, typename Conversation> [[nodiscard]] consteval boo
     return true;
 }
 
+/// Whether a conversation asks one of the functions in its usual form, as far as its type tells, that is in the list in a format
+/// of one's own.
+template <typename Conversation, typename... Functions>
+[[nodiscard]] consteval bool asks_usual_of_own(function_list<Functions...>) noexcept
+{
+    if constexpr (requires { requires has_own_format<typename Conversation::request_type>; }) {
+        return false;
+    } else if constexpr (requires { Conversation::asks; }) {
+        return ((has_own_format<Functions> and Conversation::asks.contains(function_row<Functions>::code)) or ...);
+    }
+    return false;
+}
+
 /// Whether a client has room for the longest request of a conversation together with its longest response, as far as its
 /// type tells.
 template <auto const& Needs, typename Conversation> [[nodiscard]] consteval bool has_room_for() noexcept

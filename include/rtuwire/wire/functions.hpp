@@ -26,12 +26,24 @@
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 
+namespace detail {
+
+/// How many of these functions have the code of the first.
+template <typename Function, typename... Functions>
+inline constexpr std::size_t times_in_list =
+    ((function_row<Functions>::code == function_row<Function>::code ? std::size_t{1} : std::size_t{0}) + ...);
+
+} // namespace detail
+
 /// Functions, each by the type of its request. A request may have a response of a format of its own, for units that use a code
 /// in their own way, public ones too: it then has `static constexpr std::size_t length_of_response(byte_view so_far)`, how many
 /// bytes the frame has from the unit to the CRC as soon as those so far tell, else 0; `check_response(request_pdu, response_pdu)`,
 /// whether it fits, in place of all that a client else compares but unit and function, also of a `raw_pdu` of that code, which
 /// may be shorter than any request of the type; and a `response` with `max_size`.
 template <typename... Functions> struct function_list {
+    static_assert(((not detail::has_own_format<Functions> or detail::times_in_list<Functions, Functions...> == 1) and
+                   ...),
+                  "a list of functions has a code once, where a request of one's own format uses it");
     static constexpr function_set codes{detail::function_row<Functions>::code...};
 
     /// Whether a function is in the list.
@@ -61,12 +73,26 @@ using public_functions =
 
 namespace detail {
 
+template <typename... Lists> struct joined_functions;
+template <typename List> struct joined_functions<List> {
+    using type = List;
+};
+template <typename... Left, typename... Right, typename... Others>
+struct joined_functions<function_list<Left...>, function_list<Right...>, Others...> {
+    using type = typename joined_functions<function_list<Left..., Right...>, Others...>::type;
+};
+
+/// A function, unless one of the list takes its place.
+template <typename Function, typename List>
+using unless_among = std::conditional_t<List::template contains<Function>, function_list<>, function_list<Function>>;
+
 template <typename... Functions, typename... Own>
-function_list<Functions..., Own...> append(function_list<Functions...>, function_list<Own...>);
+typename joined_functions<unless_among<Functions, function_list<Own...>>..., function_list<Own...>>::type
+    append(function_list<Functions...>, function_list<Own...>);
 
 } // namespace detail
 
-/// The same with requests of one's own, for `client_needs`: one of a public function but 43 takes its place.
+/// The same with requests of one's own, for `client_needs`: one of a public function takes its place.
 template <typename... Own>
 using public_functions_and = decltype(detail::append(public_functions{}, function_list<Own...>{}));
 
