@@ -54,6 +54,45 @@ TEMPLATE_TEST_CASE("defect: a forgotten advance is told within two response time
     }
 }
 
+TEMPLATE_TEST_CASE("defect: each of several reads is told of a forgotten advance, one after another", "", host_client,
+                   client)
+{
+    TestType link{line, options};
+    single_request first{unit_id{3}, read_holding_registers{.start = 0, .count = 1}};
+    single_request second{unit_id{4}, read_holding_registers{.start = 0, .count = 1}};
+    single_request third{unit_id{3}, read_holding_registers{.start = 0, .count = 1}};
+    instant now{0};
+    for (; not third.settled() and now - instant{0} < milliseconds(10'000); now = now + milliseconds(1)) {
+        for (auto* who : {&first, &second, &third}) {
+            if (not who->settled()) {
+                link.converse(*who, now);
+            }
+        }
+        CHECK(link.poll_transmit().empty());
+    }
+    CHECK(now - instant{0} <= milliseconds(3 * 600));
+    for (auto* who : {&first, &second, &third}) {
+        CHECK(who->outcome().error() == errc::never_advanced);
+    }
+}
+
+TEST_CASE("defect: two slots of a bus are told of a forgotten advance")
+{
+    bus<2> link{line, options};
+    single_request first{unit_id{3}, read_holding_registers{.start = 0, .count = 1}};
+    single_request second{unit_id{4}, read_holding_registers{.start = 0, .count = 1}};
+    for (std::uint32_t ms = 0; ms < 1'200; ++ms) {
+        if (not first.settled()) {
+            link.converse(0, first, instant{ms * 1'000});
+        }
+        if (not second.settled()) {
+            link.converse(1, second, instant{ms * 1'000});
+        }
+    }
+    CHECK(first.outcome().error() == errc::never_advanced);
+    CHECK(second.outcome().error() == errc::never_advanced);
+}
+
 TEST_CASE("a client that is advanced late has not forgotten it")
 {
     one_client node;

@@ -289,7 +289,7 @@ public:
     template <conversation Conversation>
     constexpr std::optional<errc> deliver(Conversation& conversation, bool wants_turn, instant now) noexcept
     {
-        if (detail::is_misuse_caught() and seen_ == instant{0}) {
+        if (was_never_advanced()) {
             transaction().end_never_advanced(now);
         }
         std::optional<errc> told;
@@ -418,6 +418,9 @@ private:
         }
     }
 
+    /// Found out where misuse is.
+    constexpr bool was_never_advanced() const noexcept { return detail::is_misuse_caught() and seen_ == instant{0}; }
+
     // Whose turn it is.
 
     /// A conversation visits, and claims the outcome. Returns whether it is there and its own. A request is dropped where the
@@ -488,7 +491,11 @@ private:
                 return schedule_.may_stop(conversation, detail::unit_stopped_by(conversation), now);
             }
         }
-        return schedule_.may_ask(conversation, detail::prompt_conversation<Conversation>, now);
+        constexpr bool is_prompt = detail::prompt_conversation<Conversation>;
+        if (not is_prompt and was_never_advanced()) {
+            return schedule_.may_ask_in_vain(conversation);
+        }
+        return schedule_.may_ask(conversation, is_prompt, now);
     }
 
     /// A request cannot be sent.

@@ -332,6 +332,14 @@ public:
         return may;
     }
 
+    /// The same where the line is never silent: in its turn a conversation asks in order to be told why nothing is sent. A
+    /// stop still goes first.
+    constexpr bool may_ask_in_vain(asker& who) noexcept
+    {
+        return not transaction_.is_busy() and not reservation_.is_on() and
+               (not turns_.others_wait() or turns_.opens_turn(turns_.mark(who)));
+    }
+
     /// Whether a request that stops a unit may be sent: it waits for silence, and for the stop of another unit for which the
     /// line is reserved, but not for its turn.
     constexpr bool may_stop(asker& who, std::uint8_t unit, instant now) noexcept

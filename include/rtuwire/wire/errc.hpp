@@ -159,7 +159,8 @@ enum class errc : std::uint8_t {
     /// bytes.
     transmit_stalled = 0x99,
     /// The client's `advance` was never called, and without it no line counts as silent: nothing was sent. Found out where
-    /// RTUWIRE_CHECKED is 1, at a visit a response time-out behind the first one.
+    /// RTUWIRE_CHECKED is 1, at a visit a response time-out behind the first one, of each request in its turn; but not of those of
+    /// a conversation that makes them at the last moment, as what commands a motor does, nor while a stop waits.
     /// Remedy: Call `advance` in each pass, before `converse`.
     never_advanced = 0xA8,
     /// The caller cancelled the transaction, or its conversation stayed away.
