@@ -78,8 +78,9 @@ public:
     }
 
     /// One of the addresses 248..255, which SL 2.2 reserves and some units answer to, most of them whatever their own is:
-    /// with two of them on a line both answer. Where 255 gave no response in time, no unit is asked for as long as a late one
-    /// may take. No drive of this library is asked so.
+    /// with two of them on a line both answer. A client keeps 255 apart from no other unit: a missing response of it, a `pause`
+    /// of its policy or a `hold` of it keep every unit from being asked. A late response of any of these counts as `noise`. No
+    /// drive of this library is asked so.
     [[nodiscard]] static constexpr unit_id reserved(detail::reserved_number number) noexcept
     {
         return unit_id{from_wire{}, number.byte()};
