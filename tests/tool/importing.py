@@ -247,6 +247,53 @@ def check_esphome(tool, check):
     check_told(check, "esphome.yaml", ESPHOME, ended, (("- platform: modbus_controller\n    name: Computed", "made by a lambda in line"),))
 
 
+def check_what_is_written(tool, check):
+    """What is written means something else than the register's number: read only, and by another name."""
+    text = """modbus_controller: {id: c, address: 5}
+switch:
+  - {platform: modbus_controller, name: Lambda, register_type: coil, address: 3, write_lambda: "return !x;"}
+  - {platform: modbus_controller, name: Turned, register_type: coil, address: 4, inverted: true}
+  - {platform: modbus_controller, name: Moved, register_type: coil, address: 10, offset: 5}
+  - {platform: modbus_controller, name: Plain, register_type: coil, address: 20, inverted: false, offset: 0}
+number:
+  - {platform: modbus_controller, name: Speed, address: 1, write_lambda: "return x * 5;"}
+output:
+  - {platform: modbus_controller, id: fan, address: 2, register_type: holding, inverted: true}
+"""
+    found, _, ended = imported(tool, check, "written.yaml", text)
+    compare(check, found, {
+        "Lambda_raw": {"space": "coil", "address": 3}, "Turned_raw": {"space": "coil", "address": 4},
+        "Moved_raw": {"space": "coil", "address": 10}, "Plain": {"space": "coil", "address": 20, "access": "write"},
+        "Speed_raw": {"address": 1}, "fan_raw": {"address": 2}})
+    check_told(check, "written.yaml", text, ended, (("Lambda", "write_lambda"), ("Turned", "inverted"), ("Moved", "offset"),
+                                                    ("Speed", "write_lambda"), ("fan", "inverted")))
+    text = """modbus:
+  - name: h
+    switches:
+      - {name: Turned, slave: 5, address: 40, write_type: coil, command_on: 0, command_off: 1}
+      - {name: Plain, slave: 5, address: 41, write_type: coil, command_on: 1, command_off: 0}
+      - {name: Word, slave: 5, address: 42, command_on: 0, command_off: 1}
+      - {name: Text, slave: 5, address: 43, command_on: 15, command_off: abc}
+"""
+    found, _, ended = imported(tool, check, "coils.yaml", text)
+    compare(check, found, {
+        "Turned_raw": {"space": "coil", "address": 40}, "Plain": {"space": "coil", "address": 41, "access": "write"},
+        "Word": {"address": 42, "access": "write", "choices": {"on": 0, "off": 1}}, "Text_raw": {"address": 43}})
+    check_told(check, "coils.yaml", text, ended, (("Turned", "on where the coil is off"), ("Text", "command_off is no whole number")))
+
+
+def check_no_numbers(tool, check):
+    """A scale or an offset that is none: what is held is not the value."""
+    for scale in ("1_0", '"0,1"', ".inf", "abc"):
+        text = "modbus: [{name: h, sensors: [" + ",".join(
+            f"{{name: {key}, slave: 5, address: {i}, {key}: {scale}}}" for i, key in enumerate(("scale", "offset"))) + "]}]"
+        found, _, ended = imported(tool, check, "scales.yaml", text)
+        check(list(found) == ["scale_raw", "offset_raw"] and "its offset is no number" in ended.errors, f"scale {scale}", ended)
+    text = '{"device": {"channels": [{"name": "V", "reg_type": "holding", "address": 1, "scale": "0,1"}]}}'
+    found, _, ended = imported(tool, check, "scales.json", text)
+    check(found == {"V_raw": {"name": "V_raw", "address": 1}}, "a channel's scale", ended)
+
+
 def check_telegraf(tool, check):
     found, file, ended = imported(tool, check, "telegraf.conf", TELEGRAF)
     compare(check, found, {
@@ -365,7 +412,7 @@ def check_mutants(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_wirenboard, check_home_assistant, check_esphome, check_telegraf, check_sunspec, check_names, check_hostile,
+        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_no_numbers, check_telegraf, check_sunspec, check_names, check_hostile,
                      check_output, check_mutants):
             part(tool, check)
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <map>
 
 #include "import/forms.hpp"
+#include "words/words.hpp"
 
 namespace tool {
 
@@ -26,7 +28,9 @@ constexpr std::string_view entity_fields[]{
     // how something is shown, asked for and written
     "id", "name", "accuracy_decimals", "device_class", "state_class", "icon", "entity_category", "skip_updates",
     "force_new_range", "internal", "disabled_by_default", "step", "mode", "use_write_multiple", "optimistic",
-    "restore_mode"};
+    "restore_mode",
+    // what makes another value of what is read and written
+    "write_lambda", "custom_command", "inverted", "offset", "min_power", "max_power"};
 constexpr std::string_view controller_fields[]{"id",
                                                "address",
                                                "modbus_id",
@@ -155,10 +159,10 @@ private:
 
     void read_mask(std::string_view kind, source_value const& from, written_register& one)
     {
-        auto const said = whole_field(into_, from, "bitmask");
+        std::int64_t const said = whole_or_raw(from, "bitmask", 0xFFFF'FFFF, one);
         bool const is_truth = kind == "binary_sensor" or kind == "switch";
-        auto const mask = static_cast<std::uint64_t>(said.value_or(0));
-        if (not said or mask == 0xFFFF'FFFFU or (mask == 0xFFFF and one.type.empty())) {
+        auto const mask = static_cast<std::uint64_t>(said);
+        if (mask == 0xFFFF'FFFFU or (mask == 0xFFFF and one.type.empty())) {
             return;
         }
         int const low = std::countr_zero(mask);
@@ -180,8 +184,11 @@ private:
         if (source_value const* const code = from.find("lambda")) {
             one.not_the_value = "its value is made by a lambda in line " + std::to_string(code->place.line);
         }
-        if (auto const factor = number_field(into_, from, "multiply"); factor and *factor != 0) {
-            one.scale = 1 / *factor; // what is written is multiplied
+        read_what_is_written(from, one);
+        one.scale = 1 / number_or_raw(from, "multiply", 1, one); // what is written is multiplied
+        if (not std::isfinite(one.scale)) {
+            one.scale = 1;
+            one.not_the_value = "it is to be multiplied by 0";
         }
         source_value const* const filters = from.find("filters");
         for (std::size_t i = 0; filters != nullptr and i < filters->fields.size(); ++i) {
@@ -191,6 +198,22 @@ private:
             }
             if (filter.is_plain() and std::ranges::count(harmless_filters, filter.text) == 0) {
                 one.not_the_value = "of the filter " + filter.text;
+            }
+        }
+    }
+
+    /// Words of ESPHome that make another value, or another place, of what is read and written.
+    static void read_what_is_written(source_value const& from, written_register& one)
+    {
+        for (std::string_view const key :
+             {"write_lambda", "custom_command", "inverted", "offset", "min_power", "max_power"}) {
+            source_value const* const said = from.find(key);
+            bool const is_without_effect =
+                said != nullptr and
+                ((key == "offset" and said->whole_number() == 0) or
+                 (key == "inverted" and (lower(said->text) == "false" or lower(said->text) == "no")));
+            if (said != nullptr and not is_without_effect) {
+                one.not_the_value = "of its " + std::string{key} + " in line " + std::to_string(said->place.line);
             }
         }
     }
@@ -219,6 +242,8 @@ private:
             auto const& [name, value] = options->fields[i];
             if (auto const number = value.whole_number()) {
                 one.choices.emplace_back(name, *number);
+            } else {
+                one.not_the_value = "its choice " + name + " is no whole number";
             }
         }
     }

@@ -52,6 +52,28 @@ std::optional<double> number_field(register_file_writer& into, source_value cons
     return number;
 }
 
+double number_or_raw(source_value const& from, std::string_view key, double otherwise, written_register& one)
+{
+    source_value const* const value = from.find(key);
+    auto const number = value == nullptr ? std::optional{otherwise} : value->number();
+    if (not number) {
+        one.not_the_value =
+            "its " + std::string{key} + " is no number: " + (value->tag.empty() ? value->text : value->tag);
+    }
+    return number.value_or(otherwise);
+}
+
+std::int64_t whole_or_raw(source_value const& from, std::string_view key, std::int64_t otherwise, written_register& one)
+{
+    source_value const* const value = from.find(key);
+    auto const number = value == nullptr ? std::optional{otherwise} : value->whole_number();
+    if (not number) {
+        one.not_the_value =
+            "its " + std::string{key} + " is no whole number: " + (value->tag.empty() ? value->text : value->tag);
+    }
+    return number.value_or(otherwise);
+}
+
 std::uint64_t bits_of_number(std::int64_t number, unsigned width) noexcept
 {
     auto const bits = static_cast<std::uint64_t>(number);

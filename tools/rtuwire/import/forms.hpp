@@ -47,6 +47,13 @@ void lose_other_fields(register_file_writer& into, source_value const& from, std
 [[nodiscard]] std::optional<double> number_field(register_file_writer& into, source_value const& from,
                                                  std::string_view key);
 
+/// A scale or an offset; where it is none, what the registers hold is not the value.
+[[nodiscard]] double number_or_raw(source_value const& from, std::string_view key, double otherwise,
+                                   written_register& one);
+/// The same of what is written: a whole number.
+[[nodiscard]] std::int64_t whole_or_raw(source_value const& from, std::string_view key, std::int64_t otherwise,
+                                        written_register& one);
+
 /// The bits of a register as it holds a number: of so many bits.
 [[nodiscard]] std::uint64_t bits_of_number(std::int64_t number, unsigned width) noexcept;
 

@@ -134,8 +134,8 @@ private:
         } else if (not swap.empty() and swap != "none") {
             one.not_the_value = "swap '" + swap + "' is none";
         }
-        one.scale = number_field(into_, from, "scale").value_or(1);
-        one.offset = number_field(into_, from, "offset").value_or(0);
+        one.scale = number_or_raw(from, "scale", 1, one);
+        one.offset = number_or_raw(from, "offset", 0, one);
         one.unit = from.text_of("unit_of_measurement");
         if (auto const invalid = whole_field(into_, from, "nan_value")) {
             one.invalid = {bits_of_number(*invalid, one.type.ends_with("64") ? 64U : is_wide ? 32U : 16U)};
@@ -181,9 +181,12 @@ private:
             return;
         }
         one->is_writable = true;
+        std::int64_t const off = whole_or_raw(from, "command_off", 0, *one);
+        std::int64_t const on = whole_or_raw(from, "command_on", 1, *one);
         if (one->space == "holding") {
-            one->choices = {{"off", whole_field(into_, from, "command_off").value_or(0)},
-                            {"on", whole_field(into_, from, "command_on").value_or(1)}};
+            one->choices = {{"off", off}, {"on", on}};
+        } else if (off != 0 or on == 0) {
+            one->not_the_value = "it is on where the coil is off, or on and off are the same";
         }
         into_.add(std::move(*one));
     }

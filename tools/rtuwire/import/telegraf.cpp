@@ -166,7 +166,7 @@ private:
         if (type == "STRING") {
             one.type = "text" + std::to_string(2 * count);
         } else if (type == "BIT") {
-            one.bits = std::to_string(whole_field(into_, field, "bit").value_or(0));
+            one.bits = std::to_string(whole_or_raw(field, "bit", 0, one));
         } else if (is_fixed and is_in_sizes) {
             one.type = fixed_type(count, type == "FIXED");
         } else if (found != std::end(telegraf_types)) {
@@ -177,10 +177,10 @@ private:
             return;
         }
         read_order(order, one);
-        auto const scale = number_field(into_, field, "scale");
+        double const scale = number_or_raw(field, "scale", 1, one);
         if (one.bits.empty()) {
-            one.scale = scale.value_or(1);
-        } else if (scale and *scale != 1) {
+            one.scale = scale;
+        } else if (scale != 1) {
             one.not_the_value = "bits have no scale here";
         }
         into_.add(std::move(one));

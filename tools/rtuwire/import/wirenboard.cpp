@@ -178,8 +178,8 @@ private:
 
     void read_scale(source_value const& from, written_register& one)
     {
-        one.scale = number_field(into_, from, "scale").value_or(1);
-        one.offset = number_field(into_, from, "offset").value_or(0);
+        one.scale = number_or_raw(from, "scale", 1, one);
+        one.offset = number_or_raw(from, "offset", 0, one);
         bool const has_scale = one.scale != 1 or one.offset != 0;
         if (has_scale and not one.bits.empty()) {
             one.not_the_value = "bits have no scale here, " + from.text_of("scale");
@@ -229,8 +229,15 @@ private:
                 one.choices.clear();
             }
         }
-        if (auto const on = whole_field(into_, from, "on_value")) {
-            one.choices = {{"off", whole_field(into_, from, "off_value").value_or(0)}, {"on", *on}};
+        if (from.find("on_value") == nullptr) {
+            return;
+        }
+        std::int64_t const on = whole_or_raw(from, "on_value", 1, one);
+        std::int64_t const off = whole_or_raw(from, "off_value", 0, one);
+        if (one.space == "holding" or one.space == "input") {
+            one.choices = {{"off", off}, {"on", on}};
+        } else if (off != 0 or on == 0) {
+            one.not_the_value = "it is on where the coil is off, or on and off are the same";
         }
     }
 
