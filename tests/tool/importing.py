@@ -282,6 +282,41 @@ output:
     check_told(check, "coils.yaml", text, ended, (("Turned", "on where the coil is off"), ("Text", "command_off is no whole number")))
 
 
+def check_devices(tool, check):
+    """One unit number behind two lines: two devices. The first is imported, and the other told."""
+    for name, text in (("hubs.yaml", """modbus:
+  - name: lineA
+    sensors: [{name: a, slave: 5, address: 1}]
+  - name: lineB
+    sensors:
+      - {name: b, slave: 5, address: 2}
+"""), ("controllers.yaml", """modbus_controller:
+  - {id: m1, modbus_id: lineA, address: 5}
+  - {id: m2, modbus_id: lineB, address: 5}
+sensor:
+  - {platform: modbus_controller, modbus_controller_id: m1, name: a, register_type: holding, address: 1}
+  - {platform: modbus_controller, modbus_controller_id: m2, name: b, register_type: holding, address: 2}
+  - {platform: modbus_controller, modbus_controller_id: m3, name: c, register_type: holding, address: 3}
+  - {platform: modbus_controller, name: d, register_type: holding, address: 4}
+"""), ("plugins.conf", """[[inputs.modbus]]
+controller = "file:///dev/lineA"
+slave_id = 5
+holding_registers = [ { name = "a", data_type = "INT16", address = [1] } ]
+[[inputs.modbus]]
+controller = "file:///dev/lineB"
+slave_id = 5
+holding_registers = [ { name = "b", data_type = "INT16", address = [2] } ]
+""")):
+        found, _, ended = imported(tool, check, name, text)
+        check(list(found) == ["a"] and ended.status == DIFFERS, f"{name}: one device", ended)
+        check("b is left out: it is of another device, behind" in ended.errors and "lineB" in ended.errors, f"{name}: the other", ended)
+        for each in "cd" if name == "controllers.yaml" else "":
+            check(f"{each} is left out: nobody says of which unit" in ended.errors, f"{each} is told", ended)
+    text = "modbus: [{name: h, sensors: [{name: a, slave: 5, address: 1}, {name: b, slave: !secret x, address: 2}]}]"
+    found, _, ended = imported(tool, check, "secret.yaml", text)
+    check(list(found) == ["a"] and "b is left out: nobody says of which unit" in ended.errors, "a unit that nobody says", ended)
+
+
 def check_no_numbers(tool, check):
     """A scale or an offset that is none: what is held is not the value."""
     for scale in ("1_0", '"0,1"', ".inf", "abc"):
@@ -412,7 +447,7 @@ def check_mutants(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_no_numbers, check_telegraf, check_sunspec, check_names, check_hostile,
+        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_devices, check_no_numbers, check_telegraf, check_sunspec, check_names, check_hostile,
                      check_output, check_mutants):
             part(tool, check)
 

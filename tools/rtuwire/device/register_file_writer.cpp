@@ -260,15 +260,22 @@ void register_file_writer::mend_choices(written_register& one)
     }
 }
 
+/// A unit is the device of one line: the same number on another line is another device.
 bool register_file_writer::is_of_unit(written_register const& one)
 {
-    if (not one.unit_id or *one.unit_id == wanted_.value_or(*one.unit_id)) {
-        wanted_ = one.unit_id ? one.unit_id : wanted_;
-        return true;
+    if (one.unit_id and *one.unit_id != wanted_.value_or(*one.unit_id)) {
+        lose(one.place, one.name + " is of unit " + std::to_string(*one.unit_id) + ", and this file is of unit " +
+                            std::to_string(*wanted_) + ": import it with -u " + std::to_string(*one.unit_id));
+        return false;
     }
-    lose(one.place, one.name + " is of unit " + std::to_string(*one.unit_id) + ", and this file is of unit " +
-                        std::to_string(*wanted_) + ": import it with -u " + std::to_string(*one.unit_id));
-    return false;
+    if (not one.line.empty() and not line_.empty() and one.line != line_) {
+        lose(one.place, one.name + " is left out: it is of another device, behind " + plain_text(one.line) +
+                            ", and this file is of that behind " + plain_text(line_));
+        return false;
+    }
+    wanted_ = one.unit_id ? one.unit_id : wanted_;
+    line_ = one.line.empty() ? line_ : one.line;
+    return true;
 }
 
 /// A scale that no register file has leaves the count.

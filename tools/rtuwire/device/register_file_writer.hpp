@@ -39,6 +39,7 @@ struct written_register {
     std::string comment{};       ///< what stands above it, instead of the name where that became another
     std::string not_the_value{}; ///< why its registers are not what its name says: by a formula of the other program
     std::optional<std::int64_t> unit_id{}; ///< whose it is, where the file says so
+    std::string line{};                    ///< by which of the file's lines that unit is reached, where it says so
 };
 
 class register_file_writer {
@@ -74,6 +75,7 @@ private:
 
     std::string file_;
     std::optional<std::int64_t> wanted_;
+    std::string line_{}; ///< that of the first register of the unit
     std::vector<std::string> told_{};
     std::size_t lost_{0};
     std::string comments_{};

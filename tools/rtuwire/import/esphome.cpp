@@ -67,7 +67,7 @@ public:
     void read_controller(source_value const& from)
     {
         lose_other_fields(into_, from, "the controller", controller_fields);
-        units_[from.text_of("id")] = whole_field(into_, from, "address");
+        controllers_[from.text_of("id")] = {whole_field(into_, from, "address"), from.text_of("modbus_id")};
         if (source_value const* const throttle = from.find("command_throttle")) {
             source_value number = *throttle;
             bool const is_ms = number.text.ends_with("ms");
@@ -93,7 +93,10 @@ public:
             return;
         }
         one.address = *address;
-        one.unit_id = unit_of(from);
+        if (not read_unit(from, one)) {
+            into_.lose(from.place, one.name + " is left out: nobody says of which unit it is");
+            return;
+        }
         one.is_writable =
             kind == "number" or kind == "select" or kind == "switch" or kind == "output" or kind == "light";
         if (not read_space(kind, from, one) or not read_type(kind, from, one)) {
@@ -106,10 +109,23 @@ public:
     }
 
 private:
-    std::optional<std::int64_t> unit_of(source_value const& from) const
+    struct controller {
+        std::optional<std::int64_t> unit{};
+        std::string line{};
+    };
+
+    /// Of one controller, its unit may be unknown; of several, an entity says whose it is.
+    bool read_unit(source_value const& from, written_register& one) const
     {
-        auto const found = units_.find(from.text_of("modbus_controller_id"));
-        return found != units_.end() ? found->second : units_.size() == 1U ? units_.begin()->second : std::nullopt;
+        std::string const id = from.text_of("modbus_controller_id");
+        auto const found = id.empty() and controllers_.size() == 1 ? controllers_.begin() : controllers_.find(id);
+        if (found != controllers_.end()) {
+            one.unit_id = found->second.unit;
+            one.line = found->second.line;
+            return one.unit_id or controllers_.size() == 1;
+        }
+        one.line = id; // of a part of a configuration, whose controllers stand elsewhere
+        return controllers_.empty();
     }
 
     bool read_space(std::string_view kind, source_value const& from, written_register& one)
@@ -249,7 +265,7 @@ private:
     }
 
     register_file_writer& into_;
-    std::map<std::string, std::optional<std::int64_t>> units_{};
+    std::map<std::string, controller> controllers_{};
 };
 
 constexpr std::string_view kinds_of_entities[]{"sensor", "binary_sensor", "text_sensor", "number",

@@ -52,6 +52,7 @@ public:
     void read_hub(source_value const& hub)
     {
         lose_other_fields(into_, hub, "the hub", hub_fields);
+        line_ = "the hub " + hub.text_of("name") + " in line " + std::to_string(hub.place.line);
         if (auto const pause = number_field(into_, hub, "message_wait_milliseconds")) {
             into_.pause(hub.find("message_wait_milliseconds")->place, *pause);
         }
@@ -92,11 +93,15 @@ private:
         one.name = from.text_of("name");
         auto const address = whole_field(into_, from, key);
         one.address = address.value_or(0);
-        one.unit_id = whole_field(into_, from, from.find("device_address") != nullptr ? "device_address" : "slave");
-        if (not address) {
-            into_.lose(from.place, one.name + " is left out: it has no address");
+        one.line = line_;
+        std::string_view const unit = from.find("device_address") != nullptr ? "device_address" : "slave";
+        one.unit_id = whole_field(into_, from, unit);
+        bool const has_unit = one.unit_id or from.find(unit) == nullptr;
+        if (not address or not has_unit) {
+            into_.lose(from.place, one.name + " is left out: " +
+                                       (has_unit ? "it has no address" : "nobody says of which unit it is"));
         }
-        return address ? std::optional{one} : std::nullopt;
+        return address and has_unit ? std::optional{one} : std::nullopt;
     }
 
     bool read_space(source_value const& from, std::string_view key, std::string_view otherwise, written_register& one)
@@ -223,6 +228,7 @@ private:
     }
 
     register_file_writer& into_;
+    std::string line_{};
 };
 
 bool is_hub(source_value const& value)

@@ -47,6 +47,7 @@ public:
         lose_other_fields(into_, plugin, "the plugin", plugin_fields);
         read_pause(plugin);
         std::string const style = plugin.text_of("configuration_type");
+        line_ = plugin.text_of("controller");
         unit_ = whole_field(into_, plugin, "slave_id");
         if (style.empty() or style == "register") {
             for (auto const& [key, space] : {std::pair{"discrete_inputs", "discrete"},
@@ -99,6 +100,7 @@ private:
         one.place = field.place;
         one.name = field.text_of("name");
         one.unit_id = unit_;
+        one.line = line_;
         return one;
     }
 
@@ -209,6 +211,7 @@ private:
 
     register_file_writer& into_;
     std::optional<std::int64_t> unit_{};
+    std::string line_{};
 };
 
 /// The plugins; null where a file has none.
