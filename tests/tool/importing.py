@@ -411,6 +411,25 @@ def check_hostile(tool, check):
         check(ended.status == USAGE, f"{name}: wrong types are refused", ended)
 
 
+def check_long_keys(tool, check):
+    """A key of many parts ends at its 33rd, wherever it stands and whatever stands before it; values, texts and comments have dots."""
+    key = ".".join(["a"] * 100_000)
+    for name, text in (("key", f"{key} = 1\n"), ("table", f"[{key}]\n"), ("list", f"[[inputs.modbus.{key}]]\n"), ("inline", f"x = {{{key} = 1}}\n"),
+                       ("spaces", " . ".join(["'a'"] * 100_000) + " = 1"), ("quoted", ".".join(['"a."'] * 100_000) + " = 1"),
+                       ("behind", 'x = [{b = """\\"""..""""", ' + key + " = 1}]\n"), ("comment", f"# \"\"\" '\n{key} = 1"),
+                       ("literal", f"x = '\\'\n{key} = 1"), ("lone", f"x = 1 # \r {key}\r{key} = 1"), ("other", f"# \u2028{key} = 1\u2028{key} = 1"),
+                       ("many", "\n".join(f"[{'.'.join(['a'] * 33)}]" for _ in range(3)))):
+        for words in (("device", "import"), ("device", "check")):
+            (tool.place / "keys.toml").write_text("[[inputs.modbus]]\n" + text)
+            ended = tool.run(*words, "keys.toml")
+            check(ended.status == USAGE and (name in ("lone", "other") or "a key of more than 32 parts" in ended.errors), f"{name}, {words[1]}",
+                  (ended.status, ended.errors[-200:]))
+    text = "[[inputs.modbus]]\nslave_id = 3\nname = '" + key[:200] + "' # " + key + '\nalias = """' + "a.\n" * 40 + '"""\n' + """
+holding_registers = [ { name = "v", data_type = "INT16", scale = 0.1, address = [4] } ]
+"""
+    check(list(imported(tool, check, "dots.toml", text)[0]) == ["v"], "dots that are none of a key")
+
+
 def check_output(tool, check):
     """A file that is there stays as it is."""
     (tool.place / "sunspec.json").write_text(SUNSPEC)
@@ -447,7 +466,7 @@ def check_mutants(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_devices, check_no_numbers, check_telegraf, check_sunspec, check_names, check_hostile,
+        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_devices, check_no_numbers, check_telegraf, check_sunspec, check_names, check_hostile, check_long_keys,
                      check_output, check_mutants):
             part(tool, check)
 

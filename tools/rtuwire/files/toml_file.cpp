@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "exit_status.hpp"
+#include "files/text_place.hpp"
 #include "words/suggestion.hpp"
 
 namespace tool {
@@ -41,6 +42,56 @@ toml::source_index line_of_assertion(std::string_view text, std::string const& f
     return static_cast<toml::source_index>(first - ends.begin() + 1);
 }
 
+constexpr std::size_t most_key_parts = 32;
+
+/// The end of a text of TOML that begins at `from`, in its quotation marks.
+std::size_t end_of_text(std::string_view text, std::size_t from)
+{
+    char const mark = text[from];
+    std::string const three(3, mark);
+    bool const is_long = text.substr(from).starts_with(three);
+    std::size_t at = from + (is_long ? 3 : 1);
+    while (at < text.size()) {
+        if (mark == '"' and text[at] == '\\') {
+            at += 2;
+        } else if (is_long ? text.substr(at).starts_with(three) : text[at] == mark) {
+            at += is_long ? 3 : 1;
+            for (int more = 0; is_long and more < 2 and at < text.size() and text[at] == mark; ++more) {
+                ++at; // one or two marks before the three that end it
+            }
+            return at;
+        } else if (not is_long and text[at] == '\n') {
+            return at;
+        } else {
+            ++at;
+        }
+    }
+    return text.size();
+}
+
+/// The parser builds a table in a table of each part of a key, and takes them apart by calls within calls.
+void refuse_long_keys(std::string const& file, std::string_view text)
+{
+    std::size_t parts = 1;
+    for (std::size_t at = 0; at < text.size();) {
+        char const c = text[at];
+        if (c == '"' or c == '\'') {
+            at = end_of_text(text, at);
+            continue;
+        }
+        if (c == '#') {
+            at = std::min(text.find('\n', at), text.size());
+            continue;
+        }
+        parts = c == '.' ? parts + 1 : std::string_view{"=,[]{}\n"}.find(c) != std::string_view::npos ? 1 : parts;
+        if (parts > most_key_parts) {
+            refuse_word(told_place(file, place_counter{text}.of(at)) + "a key of more than " +
+                        std::to_string(most_key_parts) + " parts");
+        }
+        ++at;
+    }
+}
+
 } // namespace
 
 void refuse_at(std::string const& file, toml::source_region const& where, std::string const& why)
@@ -74,6 +125,7 @@ toml::table toml_in(std::string const& file, std::string const& text)
     if (text.find('\0') != text.npos) {
         refuse_word(file + ": a byte is zero: it is no text");
     }
+    refuse_long_keys(file, text);
     auto parsed = parsed_or_nothing(text, file);
     if (not parsed) {
         toml::source_position const where{line_of_assertion(text, file), 1};
