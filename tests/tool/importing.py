@@ -329,6 +329,32 @@ def check_no_numbers(tool, check):
     check(found == {"V_raw": {"name": "V_raw", "address": 1}}, "a channel's scale", ended)
 
 
+def check_beyond(tool, check):
+    """A number for no value that no register holds; what a bit and limits become of what is written."""
+    text = "modbus: [{name: h, sensors: [" + ",\n".join(
+        f"{{name: {name}, slave: 5, address: {i}, data_type: {kind}, nan_value: {number}}}" for i, (name, kind, number) in enumerate((
+            ("small", "uint16", "0xFFFFF"), ("low", "int16", -32769), ("right", "int16", -32768), ("same", "uint16", 65535)))) + "]}]"
+    found, _, ended = imported(tool, check, "nan.yaml", text)
+    compare(check, found, {"small": {"address": 0}, "low": {"address": 1, "type": "i16"}, "right": {"address": 2, "type": "i16", "invalid": 0x8000},
+                           "same": {"address": 3, "invalid": 0xFFFF}})
+    check_told(check, "nan.yaml", text, ended, (("small", "nan_value 0xFFFFF is left out: it is beyond 16 bits"), ("low", "beyond 16 bits")))
+    text = """{"device": {"parameters": [
+{"id": "scaled", "address": 10, "reg_type": "holding", "format": "s16", "scale": 0.1, "min": -5, "max": 20, "enum": [0, 1], "enum_titles": ["a", "b"]},
+{"id": "narrow", "address": 11, "reg_type": "holding", "min": 0, "max": 1, "enum": [0, 1, 2], "enum_titles": ["a", "b", "c"]}],
+"channels": [
+{"name": "bit", "reg_type": "holding", "address": "31:5:1", "type": "switch"},
+{"name": "half", "reg_type": "holding", "address": 32, "format": "u8", "type": "range"},
+{"name": "shown", "reg_type": "holding", "address": "33:5:1", "readonly": true}]}}"""
+    found, _, ended = imported(tool, check, "limits.json", text)
+    compare(check, found, {
+        "scaled": {"address": 10, "type": "i16", "scale": 0.1, "access": "write", "min": -5, "max": 20, "setting": True},
+        "narrow": {"address": 11, "access": "write", "choices": {"a": 0, "b": 1}, "setting": True},
+        "bit": {"address": 31, "bits": "5"}, "half": {"address": 32, "bits": "0-7"}, "shown": {"address": 33, "bits": "5"}})
+    check_told(check, "limits.json", text, ended, (("scaled", "choices are left out"), ("narrow", "'c' is beyond its limits"),
+                                                   ('"bit"', "read only here"), ("half", "read only here")))
+    check("shown" not in ended.errors, "what the file itself reads only", ended)
+
+
 def check_telegraf(tool, check):
     found, file, ended = imported(tool, check, "telegraf.conf", TELEGRAF)
     compare(check, found, {
@@ -466,7 +492,7 @@ def check_mutants(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_devices, check_no_numbers, check_telegraf, check_sunspec, check_names, check_hostile, check_long_keys,
+        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_devices, check_no_numbers, check_beyond, check_telegraf, check_sunspec, check_names, check_hostile, check_long_keys,
                      check_output, check_mutants):
             part(tool, check)
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <tuple>
 
 #include "device/register_file.hpp"
 #include "exit_status.hpp"
@@ -237,6 +238,11 @@ void register_file_writer::mend_choices(written_register& one)
     for (std::pair<std::string, std::int64_t> const& each : choices) {
         std::string const& said = each.first;
         std::int64_t const number = each.second;
+        auto const amount = static_cast<double>(number);
+        if (amount < one.lowest.value_or(amount) or amount > one.highest.value_or(amount)) {
+            lose(one.place, one.name + ": '" + said + "' is beyond its limits");
+            continue;
+        }
         std::string digits = std::to_string(number);
         std::erase(digits, '-');
         std::string word = word_of(said, "n_");
@@ -294,6 +300,10 @@ void register_file_writer::check_scale(written_register& one) const
 /// Leaves out what is said besides of a value, one by one, until it is right. Why it is not.
 std::string register_file_writer::drop_what_is_wrong(written_register& one, std::string const& name)
 {
+    auto const limits = std::pair{one.lowest, one.highest};
+    if (not one.choices.empty()) { // which are all that may be written
+        one.lowest = one.highest = std::nullopt;
+    }
     std::string wrong = check_table(device_part() + table_of(one, name)).wrong;
     std::string const first = wrong;
     std::vector<std::string> dropped;
@@ -306,6 +316,10 @@ std::string register_file_writer::drop_what_is_wrong(written_register& one, std:
         wrong = check_table(device_part() + table_of(one, name)).wrong;
     };
     drop(&written_register::choices, "choices are");
+    if (one.choices.empty()) {
+        std::tie(one.lowest, one.highest) = limits;
+        wrong = check_table(device_part() + table_of(one, name)).wrong;
+    }
     drop(&written_register::unit, "unit is");
     drop(&written_register::invalid, "invalid numbers are");
     drop(&written_register::lowest, "lower limit is");
@@ -338,9 +352,6 @@ void register_file_writer::add(written_register one)
     }
     mend_unit(one);
     mend_choices(one);
-    if (not one.choices.empty()) { // which are all that may be written
-        one.lowest = one.highest = std::nullopt;
-    }
     std::string const name = name_of(one);
     if (std::string const wrong = drop_what_is_wrong(one, name); not wrong.empty()) {
         lose(one.place, one.name + " is left out: " + wrong);

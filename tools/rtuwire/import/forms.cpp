@@ -74,10 +74,23 @@ std::int64_t whole_or_raw(source_value const& from, std::string_view key, std::i
     return number.value_or(otherwise);
 }
 
-std::uint64_t bits_of_number(std::int64_t number, unsigned width) noexcept
+void read_invalid(register_file_writer& into, source_value const& from, std::string_view key, written_register& one)
 {
-    auto const bits = static_cast<std::uint64_t>(number);
-    return width >= 64 ? bits : bits & ((std::uint64_t{1} << width) - 1);
+    auto const number = whole_field(into, from, key);
+    if (not number) {
+        return;
+    }
+    unsigned const width = one.type.ends_with("64") ? 64U : one.type.ends_with("32") ? 32U : 16U;
+    std::uint64_t const all = width >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
+    std::uint64_t const bits = static_cast<std::uint64_t>(*number) & all;
+    bool const fits = width >= 64 or (*number < 0 ? *number >= -(std::int64_t{1} << (width - 1))
+                                                  : static_cast<std::uint64_t>(*number) == bits);
+    if (not fits) {
+        into.lose(from.find(key)->place, one.name + ": " + std::string{key} + ' ' + from.text_of(key) +
+                                             " is left out: it is beyond " + std::to_string(width) + " bits");
+    } else if (std::ranges::count(one.invalid, bits) == 0) {
+        one.invalid.push_back(bits);
+    }
 }
 
 } // namespace tool

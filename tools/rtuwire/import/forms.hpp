@@ -54,7 +54,7 @@ void lose_other_fields(register_file_writer& into, source_value const& from, std
 [[nodiscard]] std::int64_t whole_or_raw(source_value const& from, std::string_view key, std::int64_t otherwise,
                                         written_register& one);
 
-/// The bits of a register as it holds a number: of so many bits.
-[[nodiscard]] std::uint64_t bits_of_number(std::int64_t number, unsigned width) noexcept;
+/// A number that means no value; tells one that is none, or beyond the register's bits.
+void read_invalid(register_file_writer& into, source_value const& from, std::string_view key, written_register& one);
 
 } // namespace tool

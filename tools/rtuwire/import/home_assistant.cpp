@@ -142,9 +142,7 @@ private:
         one.scale = number_or_raw(from, "scale", 1, one);
         one.offset = number_or_raw(from, "offset", 0, one);
         one.unit = from.text_of("unit_of_measurement");
-        if (auto const invalid = whole_field(into_, from, "nan_value")) {
-            one.invalid = {bits_of_number(*invalid, one.type.ends_with("64") ? 64U : is_wide ? 32U : 16U)};
-        }
+        read_invalid(into_, from, "nan_value", one);
         return true;
     }
 

@@ -66,8 +66,12 @@ private:
         if (not read_space(from, one) or not read_address(from, one) or not read_format(from, one)) {
             return;
         }
-        one.is_writable = (one.space == "holding" or one.space == "coil") and not from.is_true("readonly") and
-                          one.bits.empty() and one.is_writable;
+        one.is_writable =
+            (one.space == "holding" or one.space == "coil") and not from.is_true("readonly") and one.is_writable;
+        if (one.is_writable and not one.bits.empty()) {
+            into_.lose(from.place, one.name + " is read only here: some bits of a register are not written");
+            one.is_writable = false;
+        }
         one.is_setting = is_setting and one.space == "holding";
         read_scale(from, one);
         read_meaning(from, one);
@@ -203,13 +207,7 @@ private:
         }
         read_choices(from, one);
         for (std::string_view const key : {"error_value", "unsupported_value"}) {
-            if (auto const number = whole_field(into_, from, key)) {
-                unsigned const width = one.type.ends_with("64") ? 64U : one.type.ends_with("32") ? 32U : 16U;
-                one.invalid.push_back(bits_of_number(*number, width));
-            }
-        }
-        if (one.invalid.size() == 2 and one.invalid[0] == one.invalid[1]) {
-            one.invalid.pop_back();
+            read_invalid(into_, from, key, one);
         }
     }
 
