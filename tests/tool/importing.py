@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSL-1.0
 """Files of other programs become register files: what is in them, what is told of the rest, and that each passes the tool's own
 check. All are written by hand here, in the forms of which the programs' manuals tell."""
+import json
 import random
 import sys
+import time
 import tomllib
 
 from support import DIFFERS, DONE, USAGE, Tool, runs
@@ -355,6 +357,18 @@ def check_beyond(tool, check):
     check("shown" not in ended.errors, "what the file itself reads only", ended)
 
 
+def check_many_names(tool, check):
+    """A thousand of one name, in the time of a thousand of different ones."""
+    took = []
+    for name in ("n{}", "same"):
+        channels = [{"name": name.format(i), "reg_type": "input", "address": i} for i in range(1500)]
+        begun = time.monotonic()
+        found = imported(tool, check, "many.json", json.dumps({"device": {"channels": channels}}))[0]
+        took.append(time.monotonic() - begun)
+        check(len(found) == 1500, f"{name}: each has a name", len(found))
+    check(took[1] < 3 * took[0] + 1, "names alike cost what others do", took)
+
+
 def check_telegraf(tool, check):
     found, file, ended = imported(tool, check, "telegraf.conf", TELEGRAF)
     compare(check, found, {
@@ -492,7 +506,7 @@ def check_mutants(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_devices, check_no_numbers, check_beyond, check_telegraf, check_sunspec, check_names, check_hostile, check_long_keys,
+        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_devices, check_no_numbers, check_beyond, check_many_names, check_telegraf, check_sunspec, check_names, check_hostile, check_long_keys,
                      check_output, check_mutants):
             part(tool, check)
 

@@ -191,8 +191,9 @@ std::string register_file_writer::own_name(std::string name, text_place place)
     if (not why_no_name(name).empty()) {
         name = name.substr(0, longest_written_name - 6) + "_value";
     }
-    for (unsigned i = 2; known_.by_name(name) != nullptr; ++i) {
-        std::string const mark = '_' + std::to_string(i);
+    for (unsigned& last = last_of_name_[lower(wished)]; known_.by_name(name) != nullptr;) {
+        last = std::max(last + 1, 2U);
+        std::string const mark = '_' + std::to_string(last);
         name = wished.substr(0, longest_written_name - mark.size()) + mark;
     }
     if (name != wished) {

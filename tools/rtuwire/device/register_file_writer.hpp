@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -82,6 +83,7 @@ private:
     std::optional<std::int64_t> max_registers_{};
     std::optional<std::int64_t> pause_{};
     named_places known_{};
+    std::map<std::string, unsigned> last_of_name_{}; ///< the last number behind a name that was wished several times
     std::string tables_{};
 };
 
