@@ -659,6 +659,43 @@ def stops_beside_a_broken_file(program, check):
         check(found == 0 and soon(lambda: motor.shown()[1] == 0, LIMIT), "a stop beside a broken register file", (found, out, error))
 
 
+def stops_behind_a_full_pipe(program, check):
+    """Nobody reads the error output: the stop goes out all the same."""
+    with Motor(program) as motor:
+        near, far = full_pipe()
+        motor.runs_by_another()
+        process = motor.tool(program, "-v", "--json", "stop", stderr=far)
+        os.close(far)
+        found, out, _ = end(process, 10)
+        check(found == 0 and "the motor stands" in out and motor.stands(), "a stop whose error output is full", (found, out, motor.shown()))
+        text = os.read(near, 1 << 20)
+        os.close(near)
+        check(text.strip(b"\0") == b"", "it says nothing there", text[-200:])
+
+
+def ends_behind_a_full_pipe(program, check):
+    """TERM ends a stop that says, behind a full pipe, how far it came; who reads on is told what is missing."""
+    with Motor(program, ramp=150) as motor:
+        near, far = full_pipe()
+        motor.runs_by_another()
+        process = motor.tool(program, "-v", "stop", stderr=far)
+        check(soon(lambda: motor.shown()[1] < SPEED), "it was told to stop", motor.shown())
+        os.read(near, 1 << 20)
+        process.send_signal(signal.SIGTERM) if soon(lambda: select.select([near], [], [], 0)[0]) else None
+        os.close(far)
+        check(end(process, 10)[0] == -signal.SIGTERM, "TERM ends it", motor.shown())
+        text = os.read(near, 1 << 20)
+        os.close(near)
+        check(re.search(rb"the standard error was blocked: \d+ lines were dropped\n", text), "it says what is missing", text[:300])
+        near, far = full_pipe()
+        process = motor.tool(program, "-v", "stop", stderr=far)
+        os.close(far)
+        time.sleep(0.5)
+        process.send_signal(signal.SIGTERM)
+        check(end(process, 10)[0] == -signal.SIGTERM, "TERM ends it while the pipe is full", motor.shown())
+        os.close(near)
+
+
 def resets_and_misses(program, check):
     with Motor(program) as motor, tempfile.TemporaryDirectory() as folder:
         motor.suffer("fault")
@@ -682,7 +719,8 @@ def resets_and_misses(program, check):
 
 def orders(program, check):
     for each in (refused, asked, not_asked, answered, left_for_the_shell, keeps_its_sign, as_another_drive, typed, stops,
-                 stops_slowly, by_a_wrong_name, stops_beside_a_broken_file, resets_and_misses):
+                 stops_slowly, by_a_wrong_name, stops_beside_a_broken_file, stops_behind_a_full_pipe,
+                 ends_behind_a_full_pipe, resets_and_misses):
         each(program, check)
 
 

@@ -9,6 +9,7 @@
 #include "../support/standard_descriptors.hpp"
 #include "command_line.hpp"
 #include "commands/commands.hpp"
+#include "output/passing_text.hpp"
 #include "output/plain_text.hpp"
 
 namespace {
@@ -30,8 +31,14 @@ constexpr command commands[] = {
     {"map", run_map},
 };
 
+/// Behind the last frame, however the command ends.
+struct last_note {
+    ~last_note() { tell_dropped(); }
+};
+
 exit_status run(choices const& chosen)
 {
+    last_note const at_the_end;
     for (command const& each : commands) {
         if (each.name == chosen.command) {
             return each.run(chosen);

@@ -10,7 +10,6 @@
 // others, so that nothing has to be identified.
 #include <csignal>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +25,7 @@
 #include "line/line_words.hpp"
 #include "line/who_is_it.hpp"
 #include "motion/motor.hpp"
+#include "output/passing_text.hpp"
 #include "port/named_drives.hpp"
 
 namespace tool {
@@ -79,8 +79,7 @@ extern "C" void tell_and_end(int number)
     std::string_view const text = has_got_its_word != 0
                                       ? "\nrtuwire: told to stop, not seen to stand\n"
                                       : "\nrtuwire: ended before the drive was known to have been told to stop\n";
-    ssize_t const written = ::write(STDERR_FILENO, text.data(), text.size());
-    static_cast<void>(written);
+    static_cast<void>(write_at_once(STDERR_FILENO, text));
     std::signal(number, SIG_DFL);
     std::raise(number);
 }
@@ -105,8 +104,7 @@ public:
     void show(std::string const& text) const
     {
         if (is_terminal_) {
-            std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
-            std::fflush(stderr);
+            tell_at_once('\r' + text + "\x1b[K");
         }
     }
     void clear() const { show({}); }

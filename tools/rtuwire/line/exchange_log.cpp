@@ -2,18 +2,22 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "line/exchange_log.hpp"
 
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "exit_status.hpp"
 #include "frame/hex_text.hpp"
 #include "line/capture_output.hpp"
 #include "line/open_line.hpp"
 #include "line/time_text.hpp"
+#include "output/passing_text.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -51,10 +55,12 @@ void show_frame(rtuwire::traced_frame const& frame)
     std::uint64_t const ms = (exchange_kept().calendar.of(frame.at) - begin) / 1'000U;
     std::string const text = hex_of(frame.bytes);
     rtuwire::literal const verdict = name(frame.verdict);
-    std::fprintf(stderr, "%llu.%03u s  %c %s%s%.*s\n", static_cast<unsigned long long>(ms / 1'000U),
-                 static_cast<unsigned>(ms % 1'000U), frame.is_own ? '>' : '<', text.c_str(),
-                 frame.verdict == frame_verdict::good ? "" : "  ",
-                 frame.verdict == frame_verdict::good ? 0 : static_cast<int>(verdict.size()), verdict.begin());
+    std::array<char, 40> head{};
+    std::snprintf(head.data(), head.size(), "%llu.%03u s  %c ", static_cast<unsigned long long>(ms / 1'000U),
+                  static_cast<unsigned>(ms % 1'000U), frame.is_own ? '>' : '<');
+    std::string const tail =
+        frame.verdict == frame_verdict::good ? std::string{} : "  " + std::string{std::string_view{verdict}};
+    tell_at_once(head.data() + text + tail + '\n');
 }
 
 } // namespace
@@ -82,7 +88,7 @@ void exchange_log::take(rtuwire::traced_frame const& frame) noexcept
         }
     } catch (std::exception const& why) {
         exchange_kept().file.reset();
-        std::fprintf(stderr, "rtuwire: %s: the trace ends here\n", why.what());
+        tell_at_once("rtuwire: " + plain_text(why.what()) + ": the trace ends here\n");
     }
 }
 

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "line/open_line.hpp"
 
-#include <cstdio>
-
 #include <unistd.h>
 
 #include "frame/damage.hpp"
 #include "frame/hex_text.hpp"
 #include "line/line_words.hpp"
 #include "line/traffic.hpp"
+#include "output/passing_text.hpp"
 #include "port/port_word.hpp"
 
 namespace tool {
@@ -27,9 +26,8 @@ void tell_of_supervision()
 {
     static bool is_told = false;
     if (not is_told and ::isatty(STDERR_FILENO) == 1) {
-        std::fputs(
-            "note: any request restarts a drive's supervision of its line, and begins it where the drive is idle\n",
-            stderr);
+        tell_at_once(
+            "note: any request restarts a drive's supervision of its line, and begins it where the drive is idle\n");
     }
     is_told = true;
 }

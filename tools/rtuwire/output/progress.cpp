@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "output/progress.hpp"
 
-#include <cstdio>
-
 #include <unistd.h>
+
+#include "output/passing_text.hpp"
 
 namespace tool {
 
@@ -46,18 +46,18 @@ void progress::show(std::size_t done, std::string const& note)
     }
     std::size_t const tenths = steps_ == 0 ? 10 : done * 10 / steps_;
     if (is_terminal_) {
-        std::fprintf(stderr, "\r%s\x1b[K", line_of(done, note).c_str());
+        tell_at_once('\r' + line_of(done, note) + "\x1b[K");
         is_on_screen_ = true;
     } else if (tenths != shown_tenths_) {
         shown_tenths_ = tenths;
-        std::fprintf(stderr, "%s\n", line_of(done, note).c_str());
+        tell_at_once(line_of(done, note) + '\n');
     }
 }
 
 void progress::clear()
 {
     if (is_on_screen_) {
-        std::fputs("\r\x1b[K", stderr);
+        tell_at_once("\r\x1b[K");
         is_on_screen_ = false;
     }
 }
