@@ -4,6 +4,7 @@
 
     python3 field_cases.py TOOL PART
 """
+import os
 import socket
 import threading
 import time
@@ -269,6 +270,17 @@ def check_exchange(tool, check):
         check(played.status in (DONE, DIFFERS) and "01 03" not in played.errors and "2100000" not in played.output, "replay reads it", played)
         refused = tool.run(*reading(line, "--trace", tool.place / "none" / "file"), "0x0007")
         check(refused.status == 4 and "file" in refused.errors, "a file that cannot be written ends the command", refused)
+        kept = file.read_bytes()
+        os.mkfifo(tool.place / "fifo")
+        asked = len(line.unit.requests)
+        for there in (file, tool.place / "fifo", tool.place, "/dev/full"):
+            refused = tool.run(*reading(line, "--trace", there), "0x0007", limit=10)
+            check(refused.status == 4 and f"--trace {there}: is there already" in refused.errors, f"{there} is not written", refused)
+        check(file.read_bytes() == kept and len(line.unit.requests) == asked, "it is kept, and nothing is sent", line.unit.requests[asked:])
+        refused = tool.run("--port", line.name, "--no-listen", "--trace", "x", "backup", "-o", "./x")
+        check(refused.status == 2 and "another file of this command" in refused.errors, "two files of one name", refused)
+        refused = tool.run("--port", tool.place / "no-port", "--trace", "x", "read", "0x0007")
+        check(refused.status == 4 and not (tool.place / "x").exists(), "a line that is none leaves no file", refused)
 
 
 # What decode says of bytes that are no RTU frame.

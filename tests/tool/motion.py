@@ -696,6 +696,25 @@ def ends_behind_a_full_pipe(program, check):
         os.close(near)
 
 
+def stops_without_a_trace(program, check):
+    """No file that cannot be written keeps a stop from a motor."""
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        os.mkfifo(place / "fifo")
+        (place / "kept").write_text("a register file")
+        traces = (place / "none" / "x", "/dev/full", place / "fifo", place, place / "kept", "/proc/x")
+
+        def one(trace):
+            with Motor(program) as motor:
+                motor.runs_by_another()
+                found, out, error = end(motor.tool(program, "--trace", str(trace), "--json", "stop"), 10)
+                check(found == 0 and motor.stands(), f"a stop with --trace {trace}", (found, out, error))
+                check(f"--trace {trace}" in error and "there is no trace" in error, f"no trace {trace} is told", error)
+
+        at_once(one, traces)
+        check((place / "kept").read_text() == "a register file", "what was there is kept", os.listdir(folder))
+
+
 def resets_and_misses(program, check):
     with Motor(program) as motor, tempfile.TemporaryDirectory() as folder:
         motor.suffer("fault")
@@ -720,7 +739,7 @@ def resets_and_misses(program, check):
 def orders(program, check):
     for each in (refused, asked, not_asked, answered, left_for_the_shell, keeps_its_sign, as_another_drive, typed, stops,
                  stops_slowly, by_a_wrong_name, stops_beside_a_broken_file, stops_behind_a_full_pipe,
-                 ends_behind_a_full_pipe, resets_and_misses):
+                 ends_behind_a_full_pipe, stops_without_a_trace, resets_and_misses):
         each(program, check)
 
 

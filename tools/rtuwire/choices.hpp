@@ -36,14 +36,15 @@ struct line_choices {
     double late_response{
         0.2}; ///< seconds behind that time, for what comes too late to be waited for; see client_options
     unsigned retries{1};
-    unsigned pause{0};           ///< milliseconds of silence before a request, where that is more than the line's
-    bool has_echo{false};        ///< the line gives back what is sent
-    unsigned noise{0};           ///< bytes in front of a response that are skipped
-    bool may_be_any_unit{false}; ///< 248 to 255, too
-    bool is_verbose{false};      ///< each frame is shown on the standard error
-    std::string trace_file{};    ///< and kept here; empty: nowhere
-    double listen{1.0};          ///< seconds before the first frame
-    bool must_not_listen{false}; ///< speaks at once, on a line in use, too
+    unsigned pause{0};             ///< milliseconds of silence before a request, where that is more than the line's
+    bool has_echo{false};          ///< the line gives back what is sent
+    unsigned noise{0};             ///< bytes in front of a response that are skipped
+    bool may_be_any_unit{false};   ///< 248 to 255, too
+    bool is_verbose{false};        ///< each frame is shown on the standard error
+    std::string trace_file{};      ///< and kept here; empty: nowhere
+    bool is_trace_optional{false}; ///< where that cannot be kept, the frames pass all the same
+    double listen{1.0};            ///< seconds before the first frame
+    bool must_not_listen{false};   ///< speaks at once, on a line in use, too
     typed_line typed{};
 };
 

@@ -3,8 +3,10 @@
 #include "command_line.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -173,6 +175,15 @@ typed_line typed_in(CLI::App const& app, std::string_view program)
     return typed;
 }
 
+bool is_one_file(std::string const& one, std::string const& other)
+{
+    std::error_code ignored;
+    auto const place = [&ignored](std::string const& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+    };
+    return not one.empty() and not other.empty() and place(one) == place(other);
+}
+
 /// Names of the command line stand beside those of the file, and in the place of the same name there; drives are never
 /// simulated on the port of the file.
 void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
@@ -193,6 +204,11 @@ void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
         refuse_word(
             "--any-unit is for read, watch and identify: at 248 to 255 whatever hangs on the line may answer, and "
             "nothing is changed there");
+    }
+    for (std::string const& each : {chosen.file, chosen.scan.resume_file}) {
+        if (is_one_file(line.trace_file, each)) {
+            refuse_word("--trace " + line.trace_file + ": " + each + " is another file of this command already");
+        }
     }
     line.is_unit_named = line.is_unit_named or app.get_option("--unit")->count() > 0;
     if (chosen.command == "simulate" and app.get_option("--port")->count() == 0) {

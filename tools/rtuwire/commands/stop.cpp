@@ -157,6 +157,7 @@ private:
     static line_choices line_to_stop(line_choices line)
     {
         line.must_not_listen = true;
+        line.is_trace_optional = true;
         line.pause = 0;
         line.response_timeout = line.response_timeout.value_or(stop_response);
         return line;

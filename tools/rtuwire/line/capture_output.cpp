@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "exit_status.hpp"
 
@@ -11,7 +12,13 @@ namespace tool {
 
 capture_output::capture_output(std::string const& file, rtuwire::capture_options options, any_port const& port,
                                line_calendar const& calendar)
-    : name_{file}, file_{file == "-" ? stdout : std::fopen(file.c_str(), "wb"), &std::fclose}, calendar_{calendar}
+    : capture_output{file, stream{file == "-" ? stdout : std::fopen(file.c_str(), "wb"), &std::fclose}, options, port,
+                     calendar}
+{}
+
+capture_output::capture_output(std::string const& name, stream file, rtuwire::capture_options options,
+                               any_port const& port, line_calendar const& calendar)
+    : name_{name}, file_{std::move(file)}, calendar_{calendar}
 {
     if (not file_) {
         fail();

@@ -18,9 +18,14 @@ namespace tool {
 
 class capture_output {
 public:
+    using stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
     /// Opens the file ("-": standard output) and says which line it is of. The bit rate is in `options`. Ends where the
     /// file cannot be written, as do all others. The calendar must outlive it.
     capture_output(std::string const& file, rtuwire::capture_options options, any_port const& port,
+                   line_calendar const& calendar);
+    /// The same with a file that is open.
+    capture_output(std::string const& name, stream file, rtuwire::capture_options options, any_port const& port,
                    line_calendar const& calendar);
 
     void put(rtuwire::traced_frame const& frame);
@@ -36,7 +41,7 @@ private:
     [[noreturn]] void fail() const;
 
     std::string name_;
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    stream file_;
     line_calendar const& calendar_;
     rtuwire::pcapng_blocks blocks_{};
     std::size_t frames_{0};

@@ -3,13 +3,19 @@
 #include "line/exchange_log.hpp"
 
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "exit_status.hpp"
 #include "frame/hex_text.hpp"
@@ -23,9 +29,43 @@ namespace tool {
 
 namespace {
 
+/// Of a run whose line could not be opened nothing stays.
+class new_trace {
+public:
+    new_trace() = default;
+    new_trace(new_trace const&) = delete;
+    new_trace& operator=(new_trace const&) = delete;
+    ~new_trace()
+    {
+        if (file_) {
+            ::unlink(name_.c_str());
+        }
+    }
+
+    void open(std::string const& name)
+    {
+        int const descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NONBLOCK | O_CLOEXEC, 0666);
+        file_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb"));
+        if (not file_) {
+            throw ended{exit_status::port,
+                        "--trace " + name + ": " + (errno == EEXIST ? "is there already" : std::strerror(errno))};
+        }
+        name_ = name;
+    }
+
+    capture_output::stream take() { return std::move(file_); }
+    explicit operator bool() const { return static_cast<bool>(file_); }
+
+private:
+    std::string name_{};
+    capture_output::stream file_{nullptr, &std::fclose};
+};
+
 /// The file of this run, and the time by which both count.
 struct kept_exchange {
     line_calendar calendar{unix_now()};
+    new_trace opened{};
+    bool was_opened{false};
     std::unique_ptr<capture_output> file{};
     std::optional<rtuwire::instant> latest{}; ///< of a frame
 };
@@ -34,6 +74,19 @@ kept_exchange& exchange_kept()
 {
     static kept_exchange all;
     return all;
+}
+
+/// Some frames matter more than their trace.
+template <typename Action> void keep(line_choices const& chosen, Action&& action)
+{
+    try {
+        action();
+    } catch (ended const& why) {
+        if (not chosen.is_trace_optional) {
+            throw;
+        }
+        tell_at_once("rtuwire: " + plain_text(why.what()) + ": there is no trace\n");
+    }
 }
 
 /// The end of a request is reckoned from the bit rate: where the line has no wire, its response comes before. No frame takes
@@ -65,11 +118,21 @@ void show_frame(rtuwire::traced_frame const& frame)
 
 } // namespace
 
+void exchange_log::open_file(line_choices const& chosen)
+{
+    if (not chosen.trace_file.empty() and not std::exchange(exchange_kept().was_opened, true)) {
+        keep(chosen, [&] { exchange_kept().opened.open(chosen.trace_file); });
+    }
+}
+
 exchange_log exchange_log::of(line_choices const& chosen, line_setting const& how, any_port const& port)
 {
-    if (not chosen.trace_file.empty() and not exchange_kept().file) {
-        exchange_kept().file = std::make_unique<capture_output>(
-            chosen.trace_file, rtuwire::capture_options{.bits_per_second = how.baud}, port, exchange_kept().calendar);
+    if (exchange_kept().opened) {
+        keep(chosen, [&] {
+            exchange_kept().file = std::make_unique<capture_output>(
+                chosen.trace_file, exchange_kept().opened.take(), rtuwire::capture_options{.bits_per_second = how.baud},
+                port, exchange_kept().calendar);
+        });
     }
     exchange_log log;
     log.is_shown_ = chosen.is_verbose;

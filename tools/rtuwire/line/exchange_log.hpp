@@ -15,8 +15,11 @@ struct line_setting;
 
 class exchange_log {
 public:
-    /// As the choices say. All lines of a run have one file, which begins with the first of them; ends where it cannot be
-    /// written.
+    /// Before the line is opened: makes the file, which must not be there yet, so that nothing is lost and no pipe is
+    /// waited for. Ends where that cannot be; where the frames come first (`is_trace_optional`), it is told, and left.
+    static void open_file(line_choices const& chosen);
+
+    /// As the choices say. All lines of a run have one file, which begins with the first of them.
     static exchange_log of(line_choices const& chosen, line_setting const& how, any_port const& port);
 
     /// A frame has passed. A file that can take no more is told of once, and left.

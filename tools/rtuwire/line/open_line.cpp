@@ -32,6 +32,12 @@ void tell_of_supervision()
     is_told = true;
 }
 
+any_port traced_port(line_choices const& chosen, line_setting const& how)
+{
+    exchange_log::open_file(chosen);
+    return open_port(chosen, how);
+}
+
 rtuwire::client_options options_in(line_choices const& chosen)
 {
     rtuwire::client_options options;
@@ -69,7 +75,7 @@ any_port open_port(line_choices const& chosen, line_setting const& how)
 line_setting setting_in(line_choices const& line) { return {baud_in(line.baud), format_in(line.format)}; }
 
 open_line::open_line(line_choices const& chosen, line_setting const& how)
-    : port_{open_port(chosen, how)}, options_{options_in(chosen)}, exchange_{exchange_log::of(chosen, how, port_)},
+    : port_{traced_port(chosen, how)}, options_{options_in(chosen)}, exchange_{exchange_log::of(chosen, how, port_)},
       client_{port_, port_.timing(), options_}
 {
     client_.trace_to(exchange_);
