@@ -715,6 +715,18 @@ def stops_without_a_trace(program, check):
         check((place / "kept").read_text() == "a register file", "what was there is kept", os.listdir(folder))
 
 
+def shows_what_runs_a_motor(program, check):
+    """-v and --trace have the frames that run it, watch it and stop it, as the line had them."""
+    with Motor(program) as motor, CountedLine(motor.device) as line, tempfile.TemporaryDirectory() as folder:
+        trace = os.path.join(folder, "start.pcapng")
+        found, out, error = end(motor.start(program, "-v", "--trace", trace, "--for", "1s", device=line.name))
+        shown = error.count("  > ")
+        check(found == 0 and shown == line.requests, f"-v shows each of {line.requests} requests", (found, shown))
+        replayed = subprocess.run([program, "--json", "replay", trace], capture_output=True, text=True, check=False).stdout
+        kept = [json.loads(each) for each in replayed.splitlines()]
+        check(sum(each.get("role") == "request" for each in kept) == shown, "--trace keeps as many", (len(kept), replayed[-500:]))
+
+
 def resets_and_misses(program, check):
     with Motor(program) as motor, tempfile.TemporaryDirectory() as folder:
         motor.suffer("fault")
@@ -739,7 +751,7 @@ def resets_and_misses(program, check):
 def orders(program, check):
     for each in (refused, asked, not_asked, answered, left_for_the_shell, keeps_its_sign, as_another_drive, typed, stops,
                  stops_slowly, by_a_wrong_name, stops_beside_a_broken_file, stops_behind_a_full_pipe,
-                 ends_behind_a_full_pipe, stops_without_a_trace, resets_and_misses):
+                 ends_behind_a_full_pipe, stops_without_a_trace, shows_what_runs_a_motor, resets_and_misses):
         each(program, check)
 
 

@@ -94,7 +94,12 @@ exit_status start_on(line_choices const& how, choices const& chosen)
     if (is_asked(chosen.allowed)) {
         asked = looked();
     }
-    running motor{make({line.port(), line.options()}, who.unit, asked), asked, line.port(), who.unit, drive, chosen};
+    running motor{make({line.port(), line.options(), line.exchange()}, who.unit, asked),
+                  asked,
+                  line.port(),
+                  who.unit,
+                  drive,
+                  chosen};
     motion_end const end = motor.run();
     complain("rtuwire: %s\n", plain_text(end.sentence).c_str());
     return end.status;

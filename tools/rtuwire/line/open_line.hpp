@@ -40,6 +40,8 @@ public:
     open_line& operator=(open_line const&) = delete;
 
     any_port& port() { return port_; }
+    /// For another client on its port.
+    exchange_log& exchange() { return exchange_; }
     rtuwire::client_options const& options() const { return options_; }
 
     /// Asks and waits for the outcome.

@@ -11,6 +11,7 @@
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
 
+#include "line/exchange_log.hpp"
 #include "motion/asked_motion.hpp"
 #include "port/any_port.hpp"
 
@@ -70,6 +71,7 @@ public:
 struct motor_line {
     any_port& port;
     rtuwire::client_options options;
+    exchange_log& exchange; ///< which outlives the motor
 };
 
 using motor_maker = std::unique_ptr<motor> (*)(motor_line const& line, rtuwire::unit_id unit,

@@ -50,7 +50,9 @@ public:
           cycle_{station_of(unit), {.supervision = {.longest_gap = longest_gap(line)}}},
           reference_{setting::checked(typename setting::value_type{asked.count})},
           direction_{direction_of(asked)}, unit_{unit}, shown_at_{clock::now()}
-    {}
+    {
+        bus_.trace_to(line.exchange);
+    }
 
     rtuwire::result<void> pass() override
     {
@@ -176,7 +178,7 @@ private:
     }
 
     any_port& port_;
-    rtuwire::bus<2> bus_;
+    rtuwire::bus<2>::traced_by<exchange_log> bus_;
     rtuwire::altivar::cyclic<Device> cycle_;
     rtuwire::result<setting> reference_;
     rtuwire::altivar::run_direction direction_;
