@@ -221,9 +221,14 @@ def check_refusals(tool, check):
     (tool.place / "of.json").write_text(whole.replace('"product": "Module"', '"product": "Other"'))
     before = held(tool)
     for words, status in ((["--device", "other.toml", "restore", "module.json"], REFUSED), (["--device", "nobody.toml", "restore", "of.json"], REFUSED),
-                          (["--device", "other.toml", "backup", "-o", "x.json"], USAGE), (["--device", "other.toml", "compare", "module.json"], USAGE)):
+                          (["--device", "other.toml", "backup", "-o", "x.json"], REFUSED),
+                          (["--device", "other.toml", "write", "-y", "setpoint=20"], REFUSED), (["--device", "other.toml", "compare", "module.json"], REFUSED)):
         ended = tool.run(*LINE, "-u", MODULE, "--write", *words)
         check(ended.status == status and "'Maker Module', and is to be" in ended.errors and held(tool) == before, f"{words}: another device", ended)
+    ended = tool.run(*LINE, "-u", MODULE, "--device", "other.toml", "read", "fixed")
+    check(ended.status == DONE and "'Maker Module', and is to be 'Maker Other'" in ended.errors, "a read tells it", ended)
+    ended = tool.run(*LINE, "-u", MODULE, "--device", "module.toml", "read", "fixed")
+    check(ended.status == DONE and ended.errors == "", "and nothing of the right one", ended)
     ended = tool.run(*LINE, "-u", SHORT, "--device", "nobody.toml", "--write", "restore", "module.json")
     check(ended.status == DIFFERS and "nothing was written" in ended.errors, "a setting that cannot be read", ended)
     for words, says in ((["compare", "--factory"], "--factory"), (["restore", "module.json", "--save"], "--save"),

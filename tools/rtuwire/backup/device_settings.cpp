@@ -237,19 +237,28 @@ device_value const* device_settings::find(named_place const* named) const noexce
     return found == values.end() ? nullptr : &*found;
 }
 
+std::string why_another_device(rtuwire::unit_id unit, identity_words const& who, std::string const& vendor,
+                               std::string const& product)
+{
+    bool const is_another =
+        (not vendor.empty() and who.vendor != vendor) or (not product.empty() and who.product != product);
+    return not is_another ? std::string{}
+                          : "unit " + std::to_string(unit.byte()) + " calls itself '" + who.vendor + ' ' + who.product +
+                                "', and is to be '" + vendor + ' ' + product + "'";
+}
+
 identity_words refuse_another_device(open_line& line, rtuwire::unit_id unit, std::string const& vendor,
-                                     std::string const& product, exit_status how)
+                                     std::string const& product)
 {
     identity_words who;
     rtuwire::errc const outcome = read_identity(line, unit, who);
     if (status_of(outcome) == exit_status::port) {
         throw ended{exit_status::port, line.port().failure()};
     }
-    bool const is_another = outcome == rtuwire::errc::none and ((not vendor.empty() and who.vendor != vendor) or
-                                                                (not product.empty() and who.product != product));
-    if (is_another) {
-        throw ended{how, "unit " + std::to_string(unit.byte()) + " calls itself '" + who.vendor + ' ' + who.product +
-                             "', and is to be '" + vendor + ' ' + product + "'"};
+    std::string const why =
+        outcome == rtuwire::errc::none ? why_another_device(unit, who, vendor, product) : std::string{};
+    if (not why.empty()) {
+        refuse_for_safety(why);
     }
     return who;
 }
@@ -290,7 +299,7 @@ device_settings device_settings_of(open_line& line, named_unit const& unit, std:
     if (wanted.empty()) {
         refuse_word(names.file + ": no register of it says setting = true");
     }
-    identity_words const who = refuse_another_device(line, unit.unit, names.vendor, names.product, exit_status::usage);
+    identity_words const who = refuse_another_device(line, unit.unit, names.vendor, names.product);
     device_settings read;
     read.values = read_settings(line, unit, wanted);
     if (std::ranges::all_of(read.values, [](device_value const& each) { return each.words.empty(); })) {

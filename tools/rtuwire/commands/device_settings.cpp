@@ -166,10 +166,8 @@ exit_status restore_device(choices const& chosen)
         refuse_wrong_log();
     }
     open_line line{chosen.line};
-    static_cast<void>(
-        refuse_another_device(line, unit.unit, unit.names->vendor, unit.names->product, exit_status::refused));
-    static_cast<void>(
-        refuse_another_device(line, unit.unit, wanted.said("vendor"), wanted.said("product"), exit_status::refused));
+    static_cast<void>(refuse_another_device(line, unit.unit, unit.names->vendor, unit.names->product));
+    static_cast<void>(refuse_another_device(line, unit.unit, wanted.said("vendor"), wanted.said("product")));
     std::vector<named_place const*> registers;
     for (device_value const& each : wanted.values) {
         if (not each.words.empty()) {

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "backup/device_settings.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
 #include "line/asked_units.hpp"
 #include "line/reading.hpp"
+#include "line/who_is_it.hpp"
 #include "sunspec/sunspec_read.hpp"
 
 namespace tool {
@@ -39,6 +41,19 @@ record for_programs(reading const& it, chosen_register const& which, rtuwire::un
     return line;
 }
 
+/// Where a unit says that it is none of the device whose register file names its registers.
+void tell_another_device(open_line& line, named_unit const& unit)
+{
+    identity_words who;
+    bool const is_said = unit.names != nullptr and not unit.names->vendor.empty() and
+                         read_identity(line, unit.unit, who) == rtuwire::errc::none;
+    std::string const why =
+        is_said ? why_another_device(unit.unit, who, unit.names->vendor, unit.names->product) : std::string{};
+    if (not why.empty()) {
+        tell_error(why);
+    }
+}
+
 /// One unit's registers.
 exit_status read_unit(asked_registers const& asked, output_form form, open_line& line, output& results,
                       bool is_of_several)
@@ -53,6 +68,7 @@ exit_status read_unit(asked_registers const& asked, output_form form, open_line&
         results.put(form == output_form::table ? for_people(it, each, asked.unit.unit, is_of_several)
                                                : for_programs(it, each, asked.unit.unit));
     }
+    tell_another_device(line, asked.unit);
     return status_of(reader.first_error());
 }
 
