@@ -12,7 +12,7 @@ import struct
 import subprocess
 import sys
 
-INVERTER, LONG, PLAIN = 5, 6, 7
+INVERTER, LONG, PLAIN, OTHER, BEYOND = 5, 6, 7, 8, 9
 
 
 def point(name, kind, size=1, **more):
@@ -71,7 +71,9 @@ async def serve(device):
 
     context = ModbusServerContext(single=False, slaves={
         INVERTER: unit(40000, chain((1, COMMON), (103, BODY), (160, TRACKERS))),
-        LONG: unit(50000, chain((64001, CELLS), (64002, [1, 2]))), PLAIN: unit(100, [1, 2, 3])})
+        LONG: unit(50000, chain((64001, CELLS), (64002, [1, 2]))), PLAIN: unit(100, [1, 2, 3]),
+        OTHER: unit(40000, chain((103, BODY[:5]), (160, [*TRACKERS, 1, 2]), (160, TRACKERS[:6]))),
+        BEYOND: unit(40000, [0x5375, 0x6E53, 103, 65000])})
     server = await StartAsyncSerialServer(context, framer=ModbusRtuFramer, port=device, baudrate=38400, parity="N", stopbits=2,
                                           ignore_missing_slaves=True, defer_start=True)
     await server.start()
@@ -116,7 +118,22 @@ def check_long(tool, check):
     check(found["64001.cell_60.T"] == 25.9 and "model 64002 at 50184: models has no model_64002.json" in ended.errors, "and the rest", ended)
 
 
+def check_lengths(tool, check):
+    """Models that are shorter and longer than their files, or lead beyond the last register: what is not shown is told."""
+    ended = tool.run(*QUIET, "-u", OTHER, "--json", "read", "@sunspec", "--sunspec", "models")
+    check(ended.status == DIFFERS and len(ended.objects()) == 7 + 5 + 6 + 5 + 3, "what is there", ended)
+    for says in ("model 103: WH and what stands behind it are left out: the device's model ends before", "model 160: its last 2 registers are left out",
+                 "model 160: module_2.ID and what stands behind it are left out"):
+        check(says in ended.errors, says, ended)
+    ended = tool.run(*QUIET, "-u", BEYOND, "identify")
+    check(ended.status == DIFFERS and "beyond 65535" in ended.output, "a length beyond the last register", ended)
+
+
 def check_refused(tool, check):
+    (tool.place / "empty").mkdir()
+    for folder in ("empty", "nofolder"):
+        ended = tool.run(*QUIET, "-u", INVERTER, "read", "@sunspec", "--sunspec", folder)
+        check(ended.status == USAGE and f"--sunspec {folder}: " in ended.errors, f"{folder} has no models", ended)
     for words, says in ((["@sunspec"], "--sunspec FOLDER"), (["@sunspec", "40", "--sunspec", "models"], "stands alone")):
         ended = tool.run(*QUIET, "-u", INVERTER, "read", *words)
         check(ended.status == USAGE and says in ended.errors, f"{words} is refused", ended)
@@ -135,7 +152,7 @@ def main(check, program):
             (tool.place / "models" / f"model_{number}.json").write_text(json.dumps(content))
         near_end, tool.port = others.line()
         others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
-        for part in (check_identify, check_points, check_long, check_refused):
+        for part in (check_identify, check_points, check_long, check_lengths, check_refused):
             part(tool, check)
 
 

@@ -16,7 +16,8 @@ exit_status run_identify(choices const& chosen)
     identity_words const who = who_is_it(line, asked.unit);
     std::string const shared = who.outcome == exit_status::no_answer ? std::string{} : why_shared(line, asked.unit);
     bool const may_be_sunspec = who.drive.empty() and (who.outcome == exit_status::done or who.has_answered);
-    std::string const models = may_be_sunspec ? text_of(sunspec_models_of(line, asked.unit)) : std::string{};
+    sunspec_models const found = may_be_sunspec ? sunspec_models_of(line, asked.unit) : sunspec_models{};
+    std::string const models = text_of(found);
     std::string const note = models.empty() ? who.note : models;
     output results{chosen.form, false};
     results.put({{"unit", std::int64_t{asked.unit.byte()}},
@@ -27,6 +28,9 @@ exit_status run_identify(choices const& chosen)
                  {"note", note + (note.empty() or shared.empty() ? "" : "; ") + shared}});
     results.finish();
     bool const is_known = not who.product.empty() or not who.drive.empty() or not models.empty();
+    if (shared.empty() and found.mark and found.outcome != exit_status::done) {
+        return found.outcome;
+    }
     return not shared.empty() ? exit_status::differs : is_known ? exit_status::done : who.outcome;
 }
 

@@ -44,7 +44,11 @@ public:
 
     std::vector<sunspec_point> run(source_value const& group)
     {
-        static_cast<void>(add_group(group, {}));
+        bool const is_whole = add_group(group, {});
+        if (is_whole and at_ < words_.size()) {
+            told_.push_back("its last " + std::to_string(words_.size() - at_) +
+                            " registers are left out: its file ends before them");
+        }
         return std::move(points_);
     }
 
@@ -85,7 +89,8 @@ private:
         } else if (times == 0) {
             times = 0xFFFF; // up to the end
         }
-        for (std::int64_t i = 1; i <= times and at_ < words_.size(); ++i) {
+        bool const is_to_the_end = times == 0xFFFF;
+        for (std::int64_t i = 1; i <= times and (at_ < words_.size() or not is_to_the_end); ++i) {
             std::size_t const before = at_;
             if (not add_group(group, name + '_' + std::to_string(i) + '.') or at_ == before) {
                 return false;
@@ -107,7 +112,11 @@ private:
             return false;
         }
         if (at_ + static_cast<std::size_t>(registers) > words_.size() or points_.size() == most_points) {
-            at_ = words_.size(); // an older model, which ends here
+            told_.push_back(name + " and what stands behind it are left out: " +
+                            (points_.size() == most_points
+                                 ? "it has more than " + std::to_string(most_points) + " points"
+                                 : "the device's model ends before"));
+            at_ = words_.size();
             return false;
         }
         if (type != "pad") {

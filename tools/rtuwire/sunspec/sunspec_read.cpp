@@ -3,6 +3,8 @@
 #include "sunspec/sunspec_read.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "files/regular_file.hpp"
 #include "import/forms.hpp"
@@ -83,7 +85,8 @@ std::vector<std::uint16_t> words_of(open_line& line, rtuwire::unit_id unit, suns
     return words;
 }
 
-void put_model(choices const& chosen, rtuwire::unit_id unit, sunspec_model const& model, std::string const& prefix,
+/// Whether all of it was shown.
+bool put_model(choices const& chosen, rtuwire::unit_id unit, sunspec_model const& model, std::string const& prefix,
                source_value const& file, std::vector<std::uint16_t> const& words, output& results)
 {
     std::vector<std::string> told;
@@ -108,12 +111,27 @@ void put_model(choices const& chosen, rtuwire::unit_id unit, sunspec_model const
                          {"text", it.text}});
         }
     }
+    return told.empty();
+}
+
+void refuse_folder_without_models(std::string const& folder)
+{
+    std::error_code why;
+    bool has_model = false;
+    for (std::filesystem::directory_iterator each{folder, why}, end; not why and each != end; each.increment(why)) {
+        std::string const name = each->path().filename().string();
+        has_model = has_model or (name.starts_with("model_") and name.ends_with(".json"));
+    }
+    if (why or not has_model) {
+        refuse_word("--sunspec " + folder + ": " + (why ? why.message() : "no model_1.json or the like is in it"));
+    }
 }
 
 } // namespace
 
 exit_status read_sunspec(choices const& chosen)
 {
+    refuse_folder_without_models(chosen.sunspec);
     rtuwire::unit_id const unit = unit_in(chosen.line).unit;
     open_line line{chosen.line};
     output results{chosen.form, false};
@@ -123,6 +141,7 @@ exit_status read_sunspec(choices const& chosen)
                     "unit " + std::to_string(unit.byte()) + " has no mark of SunSpec at 40000, 0 or 50000" +
                         (found.failure.empty() ? "" : ": " + found.failure)};
     }
+    bool is_whole = true;
     for (std::size_t i = 0; i < found.models.size(); ++i) {
         sunspec_model const& model = found.models[i];
         auto const before = std::count_if(found.models.begin(), found.models.begin() + static_cast<std::ptrdiff_t>(i),
@@ -135,13 +154,14 @@ exit_status read_sunspec(choices const& chosen)
                        chosen.sunspec + " has no model_" + std::to_string(model.id) + ".json");
             continue;
         }
-        put_model(chosen, unit, model, prefix, *file, words_of(line, unit, model, *file), results);
+        is_whole =
+            put_model(chosen, unit, model, prefix, *file, words_of(line, unit, model, *file), results) and is_whole;
     }
     results.finish();
     if (not found.failure.empty()) {
         tell_error("unit " + std::to_string(unit.byte()) + ": " + found.failure);
     }
-    return found.outcome;
+    return found.outcome == exit_status::done and not is_whole ? exit_status::differs : found.outcome;
 }
 
 } // namespace tool
