@@ -357,6 +357,36 @@ def check_beyond(tool, check):
     check("shown" not in ended.errors, "what the file itself reads only", ended)
 
 
+def check_unclear(tool, check):
+    """A number that is octal to some, and a name that stands twice."""
+    home = """modbus:
+  - name: h
+    sensors:
+      - {name: right, slave: 5, address: 1}
+      - {name: octal, slave: 5, address: 010}
+      - {name: twice, slave: 5, address: 3, address: 4}
+      - {name: times, slave: 5, address: 6, scale: 00.5}
+"""
+    boiler = """modbus_controller: {id: c, address: 5}
+sensor:
+  - {platform: modbus_controller, name: right, register_type: holding, address: 1}
+  - {platform: modbus_controller, name: octal, register_type: holding, address: 010}
+  - {platform: modbus_controller, name: twice, register_type: holding, address: 3, address: 4}
+  - {platform: modbus_controller, name: times, register_type: holding, address: 6, bitmask: 010}
+"""
+    channels = """{"device": {"channels": [
+{"name": "right", "reg_type": "input", "address": 1},
+{"name": "octal", "reg_type": "input", "address": "010"},
+{"name": "twice", "reg_type": "input", "address": 3, "address": 4},
+{"name": "times", "reg_type": "input", "address": 6, "scale": "00.5"}]}}"""
+    for name, text in (("home.yaml", home), ("boiler.yaml", boiler), ("channels.json", channels)):
+        found, _, ended = imported(tool, check, name, text)
+        check(sorted(found) == ["right", "times_raw"], f"{name}: the rest is left out", ended)
+        check_told(check, name, text, ended, (("octal", "octal is left out"), ("twice", "address stands here a second time"), ("twice", "twice is left out")))
+    found, _, ended = imported(tool, check, "twice.yaml", home + home.replace("right", "second"))
+    check("modbus stands here a second time" in ended.errors, "a part of the file that stands twice", ended)
+
+
 def check_many_names(tool, check):
     """A thousand of one name, in the time of a thousand of different ones."""
     took = []
@@ -506,7 +536,7 @@ def check_mutants(tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_devices, check_no_numbers, check_beyond, check_many_names, check_telegraf, check_sunspec, check_names, check_hostile, check_long_keys,
+        for part in (check_wirenboard, check_home_assistant, check_esphome, check_what_is_written, check_devices, check_no_numbers, check_beyond, check_unclear, check_many_names, check_telegraf, check_sunspec, check_names, check_hostile, check_long_keys,
                      check_output, check_mutants):
             part(tool, check)
 

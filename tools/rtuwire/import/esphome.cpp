@@ -66,6 +66,7 @@ public:
 
     void read_controller(source_value const& from)
     {
+        static_cast<void>(has_names_twice(into_, from));
         lose_other_fields(into_, from, "the controller", controller_fields);
         controllers_[from.text_of("id")] = {whole_field(into_, from, "address"), from.text_of("modbus_id")};
         if (source_value const* const throttle = from.find("command_throttle")) {
@@ -86,6 +87,10 @@ public:
         written_register one;
         one.place = from.place;
         one.name = from.text_of("name").empty() ? from.text_of("id") : from.text_of("name");
+        if (has_names_twice(into_, from)) {
+            into_.lose(from.place, one.name + " is left out");
+            return;
+        }
         lose_other_fields(into_, from, one.name, entity_fields);
         auto const address = whole_field(into_, from, "address");
         if (not address) {

@@ -3,6 +3,7 @@
 #include "import/forms.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "exit_status.hpp"
 
@@ -29,6 +30,19 @@ void lose_other_fields(register_file_writer& into, source_value const& from, std
                 : std::string{};
         into.lose(value.place, std::string{name} + ": " + key + said + what + " is not carried over");
     }
+}
+
+bool has_names_twice(register_file_writer& into, source_value const& from)
+{
+    std::set<std::string_view> names;
+    bool is_right = true;
+    for (auto const& [key, value] : from.fields) {
+        if (from.kind == source_kind::table and not names.insert(key).second) {
+            into.lose(value.place, from.text_of("name") + ": " + key + " stands here a second time");
+            is_right = false;
+        }
+    }
+    return not is_right;
 }
 
 std::optional<std::int64_t> whole_field(register_file_writer& into, source_value const& from, std::string_view key)

@@ -40,6 +40,9 @@ void refuse_base(register_file_writer const& into, std::optional<std::int64_t> b
 void lose_other_fields(register_file_writer& into, source_value const& from, std::string_view name,
                        std::span<std::string_view const> taken);
 
+/// Whether a name stands twice in a table, which each program reads otherwise; tells which.
+[[nodiscard]] bool has_names_twice(register_file_writer& into, source_value const& from);
+
 /// A field that is a whole number; tells one that is none.
 [[nodiscard]] std::optional<std::int64_t> whole_field(register_file_writer& into, source_value const& from,
                                                       std::string_view key);

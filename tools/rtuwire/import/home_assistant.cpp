@@ -51,6 +51,7 @@ public:
 
     void read_hub(source_value const& hub)
     {
+        static_cast<void>(has_names_twice(into_, hub));
         lose_other_fields(into_, hub, "the hub", hub_fields);
         line_ = "the hub " + hub.text_of("name") + " in line " + std::to_string(hub.place.line);
         if (auto const pause = number_field(into_, hub, "message_wait_milliseconds")) {
@@ -77,10 +78,12 @@ private:
             return;
         }
         for (auto const& [key, each] : list->fields) {
-            if (each.kind == source_kind::table) {
-                read(each);
-            } else {
+            if (each.kind != source_kind::table) {
                 into_.lose(each.place, "an entity is a table");
+            } else if (has_names_twice(into_, each)) {
+                into_.lose(each.place, each.text_of("name") + " is left out");
+            } else {
+                read(each);
             }
         }
     }

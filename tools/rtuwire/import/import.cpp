@@ -54,6 +54,7 @@ void import_from(std::string const& text, import_choices const& how, register_fi
     source_value const read = is_json   ? json_source(into.file(), text)
                               : is_toml ? toml_source(into.file(), text)
                                         : yaml_source(into.file(), text);
+    static_cast<void>(has_names_twice(into, read));
     if (not is_json) {
         refuse_base(into, how.base);
     }

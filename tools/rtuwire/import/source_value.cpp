@@ -24,6 +24,13 @@ template <typename Number, typename... Base> std::optional<Number> number_in_tex
                                                                                         : std::nullopt;
 }
 
+/// 010 is 8 to a program that reads YAML 1.1, and 10 to another.
+bool has_leading_zero(std::string_view text)
+{
+    text.remove_prefix(text.starts_with('-') or text.starts_with('+') ? 1 : 0);
+    return text.size() > 1 and text[0] == '0' and is_digit(text[1]);
+}
+
 } // namespace
 
 source_value const* source_value::find(std::string_view name) const noexcept
@@ -56,7 +63,7 @@ std::optional<std::int64_t> source_value::whole_number() const
     bool const is_negative = digits.starts_with('-');
     digits.remove_prefix(is_negative or digits.starts_with('+') ? 1 : 0);
     bool const is_hex = digits.starts_with("0x") or digits.starts_with("0X");
-    if (not is_hex and (digits.empty() or not is_digit(digits[0]))) {
+    if (has_leading_zero(text) or (not is_hex and (digits.empty() or not is_digit(digits[0])))) {
         return std::nullopt;
     }
     auto const read =
@@ -71,7 +78,7 @@ std::optional<std::int64_t> source_value::whole_number() const
 
 std::optional<double> source_value::number() const
 {
-    if (not is_plain() or kind == source_kind::truth) {
+    if (not is_plain() or kind == source_kind::truth or has_leading_zero(text)) {
         return std::nullopt;
     }
     if (text.starts_with("0x") or text.starts_with("0X")) {

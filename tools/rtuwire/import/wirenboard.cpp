@@ -62,6 +62,10 @@ private:
         one.place = from.place;
         one.name = is_setting ? (key.empty() ? from.text_of("id") : key) : from.text_of("name");
         one.name = one.name.empty() ? from.text_of("title") : one.name;
+        if (has_names_twice(into_, from)) {
+            into_.lose(from.place, one.name + " is left out");
+            return;
+        }
         lose_other_fields(into_, from, one.name, channel_fields);
         if (not read_space(from, one) or not read_address(from, one) or not read_format(from, one)) {
             return;
