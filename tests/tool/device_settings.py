@@ -256,10 +256,13 @@ def check_halfway(tool, check):
         ("first", "100 (0x0064)", ""), ("stuck", str((3 << 16) + 101), "the unit holds another value"), ("third", None, "not tried")],
           "a unit that keeps another value", ended)
     (tool.place / "stuck.csv").write_text("register,value\nfirst,200\nthird,202\n")
-    process = tool.start("--pause", 400, *how)
-    first = process.stdout.readline()
+    # While the first one is read back, a second behind its write.
+    process = tool.start("-v", "--pause", 1000, *how)
+    while "> 3F 06 00 13" not in (line := process.stderr.readline()) and line:
+        pass
     process.send_signal(signal.SIGINT)
     output, errors = process.communicate(timeout=30)
+    first = output.splitlines()[0]
     held_now = [each["raw"] for each in tool.run(*LINE, "-u", CLAMPING, "--json", "read", "19", "22").objects()]
     check(process.returncode == 130 and '"after":"200' in first and "not tried" in output and "ended by a signal" in errors and held_now == [200, 22],
           "Ctrl-C ends it between two registers", (process.returncode, first, output, errors, held_now))

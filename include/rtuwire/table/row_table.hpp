@@ -637,11 +637,10 @@ template <mnemonic Name> struct named_choice {
     /// The value of an enumeration that has this name.
     template <register_enumeration Enum> [[nodiscard]] static consteval Enum value() noexcept
     {
-        constexpr std::size_t count = enumerators<Enum>.size();
         constexpr found_name found = [] {
-            found_name by_mnemonic{count};
-            found_name by_meaning{count};
-            for (std::size_t i = 0; i < count; ++i) {
+            found_name by_mnemonic{enumerators<Enum>.size()};
+            found_name by_meaning{enumerators<Enum>.size()};
+            for (std::size_t i = 0; i < enumerators<Enum>.size(); ++i) {
                 named_value const& each = enumerators<Enum>[i];
                 by_mnemonic.look_at(i, each.name == literal{Name.letters});
                 by_meaning.look_at(i, listed_name(meanings<Enum>, each.value) == literal{Name.letters});
@@ -649,7 +648,7 @@ template <mnemonic Name> struct named_choice {
             return by_mnemonic.times == 0 ? by_meaning : by_mnemonic;
         }();
         constexpr std::size_t place = found.place;
-        constexpr bool is_known = place < count;
+        constexpr bool is_known = place < enumerators<Enum>.size();
         static_assert(literal{Name.letters}.size() != 0, "a value without a name is asked for by its number");
         static_assert(is_known, "this register has no value of this name");
         static_assert(found.times < 2, "this register has two values of this name");
