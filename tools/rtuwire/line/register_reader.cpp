@@ -190,7 +190,7 @@ void register_reader::read(open_line& line, rtuwire::unit_id unit, bool ends_at_
         is_silent = ends_at_silence and &each == &blocks_.front() and status_of(outcome) == exit_status::no_answer;
     }
     if (is_silent) {
-        std::ranges::rotate(learned, learned.begin() + 1);
+        std::rotate(learned.begin(), learned.begin() + 1, learned.end());
     }
     blocks_ = std::move(learned);
 }
