@@ -21,7 +21,7 @@ PARTS = ((None, ("rtuwire/rtuwire.hpp",)),
          ("RTUWIRE_PORT", ("rtuwire/port.hpp",)),
          ("RTUWIRE_PRINT", ("rtuwire/print.hpp",)),
          ("RTUWIRE_PARAMETERS", (*(f"rtuwire/altivar/{drive}_parameters.hpp" for drive in ("atv12", "atv310", "atv320", "own")),
-                                 "rtuwire/maintenance.hpp")))
+                                 "rtuwire/maintenance.hpp", "rtuwire/rows.hpp")))
 OWN = re.compile(r"#include <(rtuwire/[\w/.]+)>\n")
 STANDARD = re.compile(r"#include <([\w/.]+)>\n")
 CONDITION = re.compile(r"\s*#\s*(if|endif)")

@@ -289,8 +289,8 @@ template <typename Table, bool IsPlain> struct row_addresses {
 
 /// Registers of any kind and width.
 template <typename Table> struct row_addresses<Table, false> {
-    static constexpr std::uint32_t past_the_end =
-        first_wrong_row<Table>([](register_row const& row) { return row.address + row.word_count() > 0x1'0000; });
+    static constexpr std::uint32_t past_the_end = first_wrong_row<Table>(
+        [](register_row const& row) { return std::uint32_t{row.address} + row.word_count() > 0x1'0000; });
     static_assert(sizeof(this_row_ends_behind_address_65535<past_the_end>) > 0);
     static constexpr std::size_t count = [] {
         std::size_t words = 0;

@@ -39,9 +39,15 @@ template <typename Function> struct function_row_of {
 };
 template <typename Function> using function_row = typename function_row_of<Function>::type;
 
+/// Whether the row of a request stands here, whose class may be known later and is not to be looked into.
+template <typename Request> inline constexpr bool has_row_here = false;
+template <typename Words> inline constexpr bool has_row_here<diagnostics<Words>> = true;
+template <typename Runs> inline constexpr bool has_row_here<read_file_record<Runs>> = true;
+template <typename Words> inline constexpr bool has_row_here<write_file_record<Words>> = true;
+
 /// A request whose response has a format of its own, whatever function it uses: see `function_list`.
 template <typename Request>
-concept has_own_format = requires(byte_view bytes)
+concept has_own_format = not has_row_here<Request> and requires(byte_view bytes)
 {
     {
         Request::length_of_response(bytes)
