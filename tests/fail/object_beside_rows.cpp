@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // An object that has the mnemonic of a row, where only the object is used.
 // EXPECT: two_rows_have_the_code_of_this_one<50>
-#include <rtuwire/client.hpp>
-#include <rtuwire/rows.hpp>
-
-using namespace rtuwire;
+#include "meter_facts.hpp"
 
 namespace meter {
 
@@ -17,12 +14,7 @@ inline constexpr reg<count16> object{.code = "O", .address = 51};
 
 inline constexpr register_row rows[]{{"M", 50, row_words::rw, in<count16>}};
 
-struct device {
-    static constexpr literal name{"meter"};
-    static constexpr function_set functions = all_functions;
-    static constexpr device_limits limits{};
-    static constexpr unit_range units{};
-    static constexpr std::array<address_range, 0> readable{};
+struct device : meter_facts {
     using amounts = amount_types<count16>;
     using registers = row_table<device, table<object>, rows>;
 };

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A value that the choices of a row do not list, by its name.
 // EXPECT: this register has no value of this name
-#include <rtuwire/client.hpp>
-#include <rtuwire/rows.hpp>
-
-using namespace rtuwire;
+#include "meter_facts.hpp"
 
 namespace meter {
 
@@ -16,12 +13,7 @@ inline constexpr register_row rows[]{
     {"T", 50, row_words::rw, tariffs, {}, {}, 1},
 };
 
-struct device {
-    static constexpr literal name{"meter"};
-    static constexpr function_set functions = all_functions;
-    static constexpr device_limits limits{};
-    static constexpr unit_range units{};
-    static constexpr std::array<address_range, 0> readable{};
+struct device : meter_facts {
     using amounts = amount_types<unsigned32<watt_hours>, count16>;
     using registers = row_table<device, table<>, rows>;
 };

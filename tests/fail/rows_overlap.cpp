@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A row of a device of one's own at the second word of another one.
 // EXPECT: two_rows_have_this_address<41>
-#include <rtuwire/client.hpp>
-#include <rtuwire/rows.hpp>
-
-using namespace rtuwire;
+#include "meter_facts.hpp"
 
 namespace meter {
 
@@ -18,12 +15,7 @@ inline constexpr register_row rows[]{
 #endif
 };
 
-struct device {
-    static constexpr literal name{"meter"};
-    static constexpr function_set functions = all_functions;
-    static constexpr device_limits limits{};
-    static constexpr unit_range units{};
-    static constexpr std::array<address_range, 0> readable{};
+struct device : meter_facts {
     using amounts = amount_types<unsigned32<watt_hours>, count16>;
     using registers = row_table<device, table<>, rows>;
 };

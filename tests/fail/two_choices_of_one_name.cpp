@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A name that two choices of a list have, as their meaning.
 // EXPECT: this register has two values of this name
-#include <rtuwire/client.hpp>
-#include <rtuwire/rows.hpp>
-
-using namespace rtuwire;
+#include "meter_facts.hpp"
 
 namespace meter {
 
@@ -17,12 +14,7 @@ inline constexpr choice modes[]{{1, "A", "on"}, {2, "B", "off"}};
 
 inline constexpr register_row rows[]{{"M", 50, row_words::rw, modes}};
 
-struct device {
-    static constexpr literal name{"meter"};
-    static constexpr function_set functions = all_functions;
-    static constexpr device_limits limits{};
-    static constexpr unit_range units{};
-    static constexpr std::array<address_range, 0> readable{};
+struct device : meter_facts {
     using amounts = amount_types<count16>;
     using registers = row_table<device, table<>, rows>;
 };
