@@ -222,7 +222,8 @@ def check_refusals(tool, check):
     before = held(tool)
     for words, status in ((["--device", "other.toml", "restore", "module.json"], REFUSED), (["--device", "nobody.toml", "restore", "of.json"], REFUSED),
                           (["--device", "other.toml", "backup", "-o", "x.json"], REFUSED),
-                          (["--device", "other.toml", "write", "-y", "setpoint=20"], REFUSED), (["--device", "other.toml", "compare", "module.json"], REFUSED)):
+                          (["--device", "other.toml", "write", "-y", "setpoint=20"], REFUSED), (["--device", "other.toml", "ask", "06", "00280014"], REFUSED),
+                          (["--device", "other.toml", "compare", "module.json"], REFUSED)):
         ended = tool.run(*LINE, "-u", MODULE, "--write", *words)
         check(ended.status == status and "'Maker Module', and is to be" in ended.errors and held(tool) == before, f"{words}: another device", ended)
     ended = tool.run(*LINE, "-u", MODULE, "--device", "other.toml", "read", "fixed")

@@ -237,16 +237,6 @@ device_value const* device_settings::find(named_place const* named) const noexce
     return found == values.end() ? nullptr : &*found;
 }
 
-std::string why_another_device(rtuwire::unit_id unit, identity_words const& who, std::string const& vendor,
-                               std::string const& product)
-{
-    bool const is_another =
-        (not vendor.empty() and who.vendor != vendor) or (not product.empty() and who.product != product);
-    return not is_another ? std::string{}
-                          : "unit " + std::to_string(unit.byte()) + " calls itself '" + who.vendor + ' ' + who.product +
-                                "', and is to be '" + vendor + ' ' + product + "'";
-}
-
 identity_words refuse_another_device(open_line& line, rtuwire::unit_id unit, std::string const& vendor,
                                      std::string const& product)
 {

@@ -54,10 +54,6 @@ device_settings device_settings_of_file(std::string const& path, named_places co
 identity_words refuse_another_device(open_line& line, rtuwire::unit_id unit, std::string const& vendor,
                                      std::string const& product);
 
-/// "unit 61 calls itself 'A B', and is to be 'C D'"; empty where what it says of itself is what these words say.
-[[nodiscard]] std::string why_another_device(rtuwire::unit_id unit, identity_words const& who,
-                                             std::string const& vendor, std::string const& product);
-
 /// A value as people read it: "21.5 degC"; why there is none.
 [[nodiscard]] std::string text_of(device_value const& value);
 

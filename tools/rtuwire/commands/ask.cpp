@@ -125,8 +125,11 @@ public:
             refuse_wrong_log();
         }
         open_line line{chosen_.line};
-        if (not is_free_ and not may_be_sent(line)) {
-            return exit_status::refused;
+        if (not is_free_) {
+            if (not may_be_sent(line)) {
+                return exit_status::refused;
+            }
+            refuse_wrong_log(1 + values_.size()); // room for what is noted of it
         }
         return is_broadcast_ ? send_to_all(line) : send(line);
     }

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "backup/device_settings.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
 #include "line/asked_units.hpp"

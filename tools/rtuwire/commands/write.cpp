@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "backup/device_settings.hpp"
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "commands/device_commands.hpp"
@@ -70,7 +69,6 @@ public:
     exit_status run(open_line& line)
     {
         rules_ = rules_to_write(line, unit_, chosen_.allowed);
-        refuse_unit_of_another_file(line);
         refuse_menu_number();
         std::vector<value_to_write> const values = checked(line);
         if (std::optional<ended> const why = why_not(values, line)) {
@@ -84,7 +82,6 @@ public:
             if (not(rules_to_write(line, unit_, chosen_.allowed) == rules_)) {
                 throw ended{exit_status::refused, "another unit answers than when you were asked; nothing is written"};
             }
-            refuse_unit_of_another_file(line);
             refuse_changed_values(values, checked(line));
             before = read_again(line, values, before);
         }
@@ -140,14 +137,6 @@ private:
             memory, unit_.unit, rtuwire::write_multiple_registers{value.where.address, rtuwire::register_view{bytes}});
         if (frame) {
             tool::refuse_frame_within(*frame, functions_within::public_ones);
-        }
-    }
-
-    /// The names of a register file are those of the device that it says.
-    void refuse_unit_of_another_file(open_line& line) const
-    {
-        if (unit_.names != nullptr and not unit_.names->vendor.empty()) {
-            static_cast<void>(refuse_another_device(line, unit_.unit, unit_.names->vendor, unit_.names->product));
         }
     }
 

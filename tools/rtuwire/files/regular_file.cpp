@@ -5,11 +5,14 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "exit_status.hpp"
 
 namespace tool {
 
@@ -62,6 +65,15 @@ file_text text_of_file(std::string const& path)
         }
     }
     return std::ferror(file.get()) != 0 ? file_text{{}, std::strerror(errno)} : found;
+}
+
+std::string text_to_resume(std::string const& path)
+{
+    file_text kept = text_of_file(path);
+    if (not kept.failure.empty() and not kept.is_missing) {
+        refuse_word("--resume " + path + ": " + kept.failure);
+    }
+    return std::move(kept.text);
 }
 
 appended_file::appended_file(std::string const& path) : failure_{why_no_regular_file(path)}

@@ -23,6 +23,9 @@ struct file_text {
 /// Reads a regular file of at most 64 MiB.
 file_text text_of_file(std::string const& path);
 
+/// What a file of --resume holds; empty where it is not there yet. Ends the command where it cannot be read.
+std::string text_to_resume(std::string const& path);
+
 /// A regular file to whose end is added; each addition is in the file when `write` returns, as a whole or not at all.
 class appended_file {
 public:

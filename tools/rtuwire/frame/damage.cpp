@@ -21,11 +21,6 @@ constexpr std::size_t size_of_crc = 2;
 
 bool is_right(byte_view frame) { return rtuwire::check_frame(frame) == rtuwire::errc::none; }
 
-unsigned word_at(byte_view bytes, std::size_t at)
-{
-    return std::to_integer<unsigned>(bytes[at]) << 8U | std::to_integer<unsigned>(bytes[at + 1]);
-}
-
 /// Whether unit, function and all fields between them and a check at the end are those of a function. An unknown function has no
 /// form that could be right by chance.
 bool has_form(byte_view frame, std::size_t check_size)

@@ -20,12 +20,6 @@ using rtuwire::frame_role;
 constexpr std::size_t crc_size = 2;
 constexpr frame_role roles[]{frame_role::request, frame_role::response};
 
-std::uint16_t word_of(byte_view bytes, std::size_t at)
-{
-    return static_cast<std::uint16_t>(std::to_integer<unsigned>(bytes[at]) << 8U |
-                                      std::to_integer<unsigned>(bytes[at + 1]));
-}
-
 std::string unit_text(std::byte unit)
 {
     auto const number = std::to_integer<unsigned>(unit);
@@ -75,7 +69,7 @@ void frame_decoder::remember(byte_view frame)
     asked_.reset();
     byte_view const pdu = frame.subspan(1, frame.size() - 1 - crc_size);
     if (reads_a_run(pdu[0]) and flaw_of(pdu, frame_role::request) == errc::none) {
-        asked_ = {frame[0], pdu[0], word_of(pdu, 1), word_of(pdu, 3)};
+        asked_ = {frame[0], pdu[0], word_at(pdu, 1), word_at(pdu, 3)};
     }
 }
 

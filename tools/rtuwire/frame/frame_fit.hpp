@@ -3,10 +3,19 @@
 // Whether bytes are a request or a response, by the checks of the library.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include <rtuwire/frames.hpp>
 #include <rtuwire/trace.hpp>
 
 namespace tool {
+
+/// The two bytes from there on as a word; there have to be two.
+[[nodiscard]] inline std::uint16_t word_at(rtuwire::byte_view bytes, std::size_t at)
+{
+    return rtuwire::register_view{bytes.subspan(at, 2)}[0];
+}
 
 /// What is wrong with a PDU as a request or a response; none where it may be one. Of a function that is not public
 /// nothing is known, so that any bytes may be either.

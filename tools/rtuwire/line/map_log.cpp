@@ -46,11 +46,7 @@ map_log::map_log(std::string const& file, unsigned unit) : file_{file}, unit_{un
     if (file.empty()) {
         return;
     }
-    file_text const kept = text_of_file(file);
-    if (not kept.failure.empty() and not kept.is_missing) {
-        refuse_word("--resume " + file + ": " + kept.failure);
-    }
-    read(kept.text);
+    read(text_to_resume(file));
     out_ = appended_file{file};
     if (not out_.failure().empty()) {
         throw ended{exit_status::port, file + ": " + out_.failure()};

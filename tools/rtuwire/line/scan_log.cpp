@@ -125,13 +125,10 @@ scan_log::scan_log(std::string const& file) : file_{file}
     if (file.empty()) {
         return;
     }
-    file_text const kept = text_of_file(file);
-    if (not kept.failure.empty() and not kept.is_missing) {
-        refuse_word("--resume " + file + ": " + kept.failure);
-    }
-    read(kept.text);
+    std::string const kept = text_to_resume(file);
+    read(kept);
     out_ = appended_file{file};
-    if (kept.text.empty()) {
+    if (kept.empty()) {
         write(heading);
     } else if (not out_.failure().empty()) {
         throw ended{exit_status::port, file + ": " + out_.failure()};

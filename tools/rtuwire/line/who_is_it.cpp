@@ -321,6 +321,16 @@ bool is_of_another_family(identity_words const& who, drive_catalog const& drive)
     return found.empty() ? calls_itself_drive(who) : family_of(found.front()->reference) != family_of(drive.reference);
 }
 
+std::string why_another_device(rtuwire::unit_id unit, identity_words const& who, std::string const& vendor,
+                               std::string const& product)
+{
+    bool const is_another =
+        (not vendor.empty() and who.vendor != vendor) or (not product.empty() and who.product != product);
+    return not is_another ? std::string{}
+                          : "unit " + std::to_string(unit.byte()) + " calls itself '" + who.vendor + ' ' + who.product +
+                                "', and is to be '" + vendor + ' ' + product + "'";
+}
+
 drive_catalog const& catalog_chosen(std::string const& name)
 {
     if (drive_catalog const* const found = catalog_named(name)) {
@@ -393,6 +403,13 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
                 ", and --drive none says that it is no drive: leave that out, or say --allow-run besides");
         }
         return {.drive = catalog_named(who.drive), .says = text_of(who)};
+    }
+    bool const is_said = not who.vendor.empty() or not who.product.empty();
+    if (unit.names != nullptr and is_said) {
+        if (auto const why = why_another_device(unit.unit, who, unit.names->vendor, unit.names->product);
+            not why.empty()) {
+            refuse_for_safety(why);
+        }
     }
     if (calls_itself_drive(who)) {
         refuse_for_safety(number + " calls itself '" + who.vendor + ' ' + who.product +

@@ -38,6 +38,10 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit);
 /// where nothing is known of it, and between revisions of one family, which somebody may know better.
 [[nodiscard]] bool is_of_another_family(identity_words const& who, drive_catalog const& drive);
 
+/// "unit 61 calls itself 'A B', and is to be 'C D'"; empty where what it says of itself is what these words say.
+[[nodiscard]] std::string why_another_device(rtuwire::unit_id unit, identity_words const& who,
+                                             std::string const& vendor, std::string const& product);
+
 /// The catalog of the unit: the one that was chosen, else that of the drive that it is. Ends where it is none.
 drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen);
 
@@ -64,7 +68,7 @@ struct write_rules {
 /// Of the unit's own table, or of one that was said to be no drive and is known to be none. A drive that is said to be none
 /// is refused; with --allow-run its own table counts all the same. One that has the registers of a drive needs --allow-run,
 /// too. One that calls itself a drive, or does not tell whether it has these registers, is refused whatever is said; so is one
-/// that calls itself a drive of another family than the one that was said.
+/// that calls itself a drive of another family than the one that was said, or another device than its register file is of.
 write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed);
 
 /// The catalog of that name; refuses others with the nearest.

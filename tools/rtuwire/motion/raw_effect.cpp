@@ -24,12 +24,6 @@ using rtuwire::function_code;
 
 function_code code_of(byte_view pdu) { return static_cast<function_code>(pdu[0]); }
 
-std::uint16_t word_at(byte_view pdu, std::size_t at)
-{
-    return static_cast<std::uint16_t>(std::to_integer<unsigned>(pdu[at]) << 8U |
-                                      std::to_integer<unsigned>(pdu[at + 1]));
-}
-
 std::string hex_word_of(std::uint16_t word) { return hex_words({&word, 1}); }
 
 constexpr rtuwire::function_set register_writes{function_code::write_single_register,
