@@ -35,18 +35,20 @@ inline constexpr choice tariffs[]{{1, "DAY", "day rate"}, {4, "NIGHT", "night ra
 
 // clang-format off
 inline constexpr register_row measured[]{
-    {"U1",     40,  input,    in<low_float>},
-    {"U2",     42,  input,    in<high_float>},
-    {"E",      44,  input,    in<wide_counter>},
-    {"NOW",    48,  input,    tariffs},
+    {"FIRST",  0,     input,    in<decihertz>},
+    {"LAST",   65532, input,    in<wide_counter>},
+    {"U1",     40,    input,    in<low_float>},
+    {"U2",     42,    input,    in<high_float>},
+    {"E",      44,    input,    in<wide_counter>},
+    {"NOW",    48,    input,    tariffs},
 };
 inline constexpr register_row set[]{
-    {"TARIFF", 40,  rw,       tariffs,    {},     {},     1, "Tariff"},
-    {"ZERO",   41,  rw,       in<offset>, -70000, 70000, -5, "Offset"},
-    {"HZ",     43,  ro,       in<decihertz>},
-    {"K1",     40,  coil_rw,  in<bool>,   {},     {},     1, "Relay"},
-    {"K2",     41,  coil_ro,  in<bool>},
-    {"S1",     40,  discrete, in<bool>},
+    {"TARIFF", 40,    rw,       tariffs,    {},     {},     1, "Tariff"},
+    {"ZERO",   41,    rw,       in<offset>, -70000, 70000, -5, "Offset"},
+    {"HZ",     43,    ro,       in<decihertz>},
+    {"K1",     40,    coil_rw,  in<bool>,   {},     {},     1, "Relay"},
+    {"K2",     41,    coil_ro,  in<bool>},
+    {"S1",     40,    discrete, in<bool>},
 };
 // clang-format on
 
@@ -83,7 +85,8 @@ STATIC_CHECK(all::has_address(47, register_space::input) and not all::has_addres
 STATIC_CHECK(all::has_address(42) and not all::has_address(44));
 STATIC_CHECK(all::has_address(41, register_space::coil) and not all::has_address(41, register_space::discrete_input));
 STATIC_CHECK(all::has_address(203) and not all::has_address(204)); // an object's
-STATIC_CHECK(all::size == 10);
+STATIC_CHECK(all::has_address(0, register_space::input) and all::has_address(65535, register_space::input));
+STATIC_CHECK(all::size == 12);
 
 constexpr station<meter::device> far_meter{unit_id{3}};
 
@@ -109,6 +112,8 @@ TEST_CASE("a row of any kind: what is sent is the function of its kind, its addr
 {
     CHECK(sent(read<meter::row<"U1">>(far_meter)) == bytes{3, 4, 0, 40, 0, 2});
     CHECK(sent(read<meter::row<"E">>(far_meter)) == bytes{3, 4, 0, 44, 0, 4});
+    CHECK(sent(read<meter::row<"FIRST">>(far_meter)) == bytes{3, 4, 0, 0, 0, 1});
+    CHECK(sent(read<meter::row<"LAST">>(far_meter)) == bytes{3, 4, 0xFF, 0xFC, 0, 4});
     CHECK(sent(read<meter::row<"TARIFF">>(far_meter)) == bytes{3, 3, 0, 40, 0, 1});
     CHECK(sent(read<meter::row<"K2">>(far_meter)) == bytes{3, 1, 0, 41, 0, 1});
     CHECK(sent(read<meter::row<"S1">>(far_meter)) == bytes{3, 2, 0, 40, 0, 1});
@@ -172,5 +177,5 @@ TEST_CASE("the rows of a device are walked in their order")
 {
     std::string codes;
     all::for_each_row([&](register_row const& row) { codes += std::string{row.code.begin(), row.code.end()} + " "; });
-    CHECK(codes == "U1 U2 E NOW TARIFF ZERO HZ K1 K2 S1 ");
+    CHECK(codes == "FIRST LAST U1 U2 E NOW TARIFF ZERO HZ K1 K2 S1 ");
 }

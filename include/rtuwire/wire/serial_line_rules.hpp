@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
@@ -33,26 +34,27 @@ struct read_device_identification;                                  // <rtuwire/
 
 namespace detail {
 
-/// Where a function's row stands: in the class of its request, or here.
-template <typename Function> struct function_row_of {
-    using type = Function;
-};
-template <typename Function> using function_row = typename function_row_of<Function>::type;
+template <typename Request> struct own_row;
 
-/// Whether the row of a request stands here, whose class may be known later and is not to be looked into.
-template <typename Request> inline constexpr bool has_row_here = false;
-template <typename Words> inline constexpr bool has_row_here<diagnostics<Words>> = true;
-template <typename Runs> inline constexpr bool has_row_here<read_file_record<Runs>> = true;
-template <typename Words> inline constexpr bool has_row_here<write_file_record<Words>> = true;
-
-/// A request whose response has a format of its own, whatever function it uses: see `function_list`.
+/// Whether a request says how long its response is: it is a format of its own, whatever function it uses.
 template <typename Request>
-concept has_own_format = not has_row_here<Request> and requires(byte_view bytes)
+concept tells_length_of_response = requires(byte_view bytes)
 {
     {
         Request::length_of_response(bytes)
         } -> std::same_as<std::size_t>;
 };
+
+/// Where a function's row stands: in the class of its request, in `own_row`, or here. A class whose row stands here may
+/// be known later, and is not looked into.
+template <typename Function> struct function_row_of {
+    using type = std::conditional_t<tells_length_of_response<Function>, own_row<Function>, Function>;
+};
+template <typename Function> using function_row = typename function_row_of<Function>::type;
+
+/// A request whose response has a format of its own: see `function_list`.
+template <typename Request>
+inline constexpr bool has_own_format = std::same_as<function_row<Request>, own_row<Request>>;
 
 /// The row of such a request.
 template <typename Request> struct own_row {
@@ -80,10 +82,6 @@ template <typename Request> struct own_row {
         return Request::check_response(request_pdu, response_pdu);
     }
 };
-template <has_own_format Request> struct function_row_of<Request> {
-    using type = own_row<Request>;
-};
-
 /// The code and the rules of a function.
 template <function_code Code, std::uint8_t Request, std::uint8_t Response, answer_rule Answers> struct plain_row {
     static constexpr function_code code = Code;
