@@ -4,6 +4,7 @@
 #include "defect/client_line.hpp"
 
 #include "support/catch.hpp"
+#include "support/proof.hpp"
 
 #include <rtuwire/client.hpp>
 
@@ -112,6 +113,16 @@ struct encapsulated {
         return came.size() == 3 + 2 ? errc::none : errc::response_mismatch;
     }
 };
+
+// What the receiver of a response knows of its length, byte by byte, and the longest of them, with unit and CRC.
+using row_by_words = rtuwire::detail::own_row<read_counted_by_words>;
+STATIC_CHECK([] {
+    constexpr std::byte begun[]{std::byte{1}, std::byte{3}, std::byte{1}, std::byte{2}};
+    auto const early = row_by_words::length(direction::response, byte_view{begun}.first(3));
+    auto const known = row_by_words::length(direction::response, begun);
+    return early.size == 4 and not early.is_final and known.size == 6 + 258 and known.is_final;
+}());
+STATIC_CHECK(row_by_words::longest_response({}) == 63);
 
 inline constexpr client_needs<public_functions_and<read_counted_by_words>> counted_by_words{};
 inline constexpr client_needs<public_functions_and<encapsulated>> interfaces{};

@@ -157,20 +157,19 @@ public:
 
     template <std::size_t Count>
     constexpr held_values(choice const (&list)[Count], parameter_type const& type = detail::one_of_a_list) noexcept
-        : type_{&type}, first_{list}, count_{Count}
+        : type_{&type}, own_{list}
     {}
 
     [[nodiscard]] constexpr parameter_type const* operator->() const noexcept { return type_; }
 
     [[nodiscard]] constexpr std::span<choice const> choices() const noexcept
     {
-        return count_ == 0 ? type_->choices : std::span<choice const>{first_, count_};
+        return own_.empty() ? type_->choices : own_;
     }
 
 private:
     parameter_type const* type_;
-    choice const* first_{nullptr};
-    std::size_t count_{0};
+    std::span<choice const> own_{}; ///< where the row brings its own
 };
 
 /// A word of bits: the rows of the list are its bits, by number.
