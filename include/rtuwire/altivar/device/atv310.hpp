@@ -20,175 +20,94 @@ namespace altivar::atv310 {
 using namespace compact;
 
 // clang-format off
-inline constexpr reg<rating> ncv{.code = "NCV", .address = 3011, .mode = access::configuration,
-    .name = "Drive rating", .source = provenance::inferred};
-inline constexpr reg<mains> vcal{.code = "VCAL", .address = 3012, .mode = access::configuration,
-    .name = "Drive mains voltage", .source = provenance::inferred};
-inline constexpr reg<deciamperes> inv{.code = "INV", .address = 3017, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Rated drive current", .source = provenance::inferred};
-inline constexpr reg<hectohertz> sfr{.code = "SFR", .address = 3102, .name = "Switching frequency"};
-inline constexpr reg<decihertz> tfr{.code = "TFR", .address = 3103, .mode = access::configuration,
-    .name = "Maximum output frequency"};
-inline constexpr reg<decihertz> hsp{.code = "HSP", .address = 3104, .min = "LSP", .max = "TFR", .name = "High speed"};
-inline constexpr reg<decihertz> lsp{.code = "LSP", .address = 3105, .min = {0}, .max = "HSP", .name = "Low speed"};
-inline constexpr reg<status_word> eta{.code = "ETA", .address = 3201, .mode = access::read_only,
-    .name = "Status word"};
-inline constexpr reg<signed_decihertz> rfr{.code = "RFR", .address = 3202, .mode = access::read_only, .min = {-5000}, .max = {5000}, .factory = 0,
-    .name = "Output frequency", .source = provenance::inferred};
-inline constexpr reg<signed_decihertz> frh{.code = "FRH", .address = 3203, .mode = access::read_only, .min = {-32767}, .max = {32767}, .factory = 0,
-    .name = "Frequency reference before the ramp", .source = provenance::inferred};
-inline constexpr reg<deciamperes> lcr{.code = "LCR", .address = 3204, .mode = access::read_only, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Motor current", .source = provenance::inferred};
-inline constexpr reg<extended_status_word> eti{.code = "ETI", .address = 3206, .mode = access::read_only,
-    .name = "Extended status word"};
-inline constexpr reg<volts> uln{.code = "ULN", .address = 3207, .mode = access::read_only, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Mains voltage from the DC bus", .source = provenance::inferred};
-inline constexpr reg<percent> thd{.code = "THD", .address = 3209, .mode = access::read_only, .min = {0}, .max = {200}, .factory = 0,
-    .name = "Drive thermal state", .source = provenance::inferred};
-inline constexpr reg<signed_percent> opr{.code = "OPR", .address = 3211, .mode = access::read_only, .min = {-32767}, .max = {32767}, .factory = 0,
-    .name = "Motor power", .source = provenance::inferred};
-inline constexpr reg<centihours> rthi{.code = "RTHI", .address = 3232, .mode = access::read_only, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Motor running time", .source = provenance::inferred};
-inline constexpr reg<centihours> pth{.code = "PTH", .address = 3233, .mode = access::read_only, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Powered time", .source = provenance::inferred};
-inline constexpr reg<product_state> hmis{.code = "HMIS", .address = 3240, .mode = access::read_only,
-    .name = "Product state", .source = provenance::inferred};
-inline constexpr reg<count16> vdp{.code = "VDP", .address = 3302, .mode = access::read_only, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Firmware version", .source = provenance::inferred};
-inline constexpr reg<count16> add{.code = "ADD", .address = 6001, .mode = access::configuration, .min = {0}, .max = {247}, .factory = 0,
-    .name = "Unit address"};
-inline constexpr reg<serial_rate> tbr{.code = "TBR", .address = 6003, .mode = access::configuration, .factory = 32,
-    .name = "Line bit rate"};
-inline constexpr reg<serial_format> tfo{.code = "TFO", .address = 6004, .mode = access::configuration, .factory = 3,
-    .name = "Line character format"};
-inline constexpr reg<deciseconds> tto{.code = "TTO", .address = 6005, .mode = access::configuration, .min = {1}, .max = {300}, .factory = 100,
-    .name = "Communication time-out"};
-inline constexpr reg<link_lost_reaction> sll{.code = "SLL", .address = 7010, .mode = access::configuration,
-    .name = "Reaction to a lost link", .source = provenance::inferred};
-inline constexpr reg<fault_code> lft{.code = "LFT", .address = 7121, .mode = access::read_only,
-    .name = "Last fault", .source = provenance::inferred};
-inline constexpr reg<configuration_faults> cic{.code = "CIC", .address = 7130, .mode = access::configuration,
-    .name = "What is wrong with the configuration", .source = provenance::inferred};
-inline constexpr reg<fault_code> dp0{.code = "DP0", .address = 7200, .mode = access::read_only,
-    .name = "Most recent fault", .source = provenance::inferred};
-inline constexpr reg<fault_code> dp1{.code = "DP1", .address = 7201, .mode = access::read_only,
-    .name = "Fault 1 back", .source = provenance::inferred};
-inline constexpr reg<fault_code> dp2{.code = "DP2", .address = 7202, .mode = access::read_only,
-    .name = "Fault 2 back", .source = provenance::inferred};
-inline constexpr reg<fault_code> dp3{.code = "DP3", .address = 7203, .mode = access::read_only,
-    .name = "Fault 3 back", .source = provenance::inferred};
-inline constexpr reg<fault_code> dp4{.code = "DP4", .address = 7204, .mode = access::read_only,
-    .name = "Fault 4 back", .source = provenance::inferred};
-inline constexpr reg<channel_mode> chcf{.code = "CHCF", .address = 8401, .mode = access::configuration,
-    .name = "Channel configuration", .source = provenance::inferred};
-inline constexpr reg<reference_channel> fr1{.code = "FR1", .address = 8413, .mode = access::configuration,
-    .name = "Reference channel 1", .source = provenance::inferred};
-inline constexpr reg<command_channel> cd1{.code = "CD1", .address = 8423, .mode = access::configuration,
-    .name = "Command channel 1", .source = provenance::inferred};
-inline constexpr reg<local_input> flo{.code = "FLO", .address = 8431, .mode = access::configuration,
-    .name = "Input that forces local control", .source = provenance::inferred};
-inline constexpr reg<command_word> cmd{.code = "CMD", .address = 8501, .factory = 0, .name = "Command word"};
-inline constexpr reg<signed_decihertz> lfr{.code = "LFR", .address = 8502, .min = {-32767}, .max = {32767}, .factory = 0,
-    .name = "Frequency setpoint", .source = provenance::inferred};
-inline constexpr reg<tenth_percent> pisp{.code = "PISP", .address = 8503, .min = {0}, .max = {1000}, .factory = 0,
-    .name = "PI regulator setpoint", .source = provenance::inferred};
-inline constexpr reg<extended_command_word> cmi{.code = "CMI", .address = 8504, .name = "Extended command word"};
-inline constexpr reg<command_word> cmdd{.code = "CMDD", .address = 8601,
-    .name = "Command word, speed mode", .source = provenance::inferred};
-inline constexpr reg<signed_rpm> lfrd{.code = "LFRD", .address = 8602, .factory = 0, .name = "Speed setpoint"};
-inline constexpr reg<status_word> etad{.code = "ETAD", .address = 8603, .mode = access::read_only,
-    .name = "Status word, speed mode", .source = provenance::inferred};
-inline constexpr reg<signed_rpm> rfrd{.code = "RFRD", .address = 8604, .mode = access::read_only,
-    .name = "Output speed"};
-inline constexpr reg<deciseconds> acc{.code = "ACC", .address = 9001, .min = {0}, .max = {9999}, .factory = 30, .name = "Acceleration ramp time"};
-inline constexpr reg<deciseconds> dec{.code = "DEC", .address = 9002, .min = {0}, .max = {9999}, .factory = 30,
-    .name = "Deceleration ramp time", .source = provenance::inferred};
-inline constexpr reg<deciseconds> ac2{.code = "AC2", .address = 9012, .min = {0}, .max = {9999}, .factory = 50,
-    .name = "Second acceleration ramp time", .source = provenance::inferred};
-inline constexpr reg<deciseconds> de2{.code = "DE2", .address = 9013, .min = {0}, .max = {9999}, .factory = 50,
-    .name = "Second deceleration ramp time", .source = provenance::inferred};
-inline constexpr reg<volts> uns{.code = "UNS", .address = 9601, .mode = access::configuration, .min = {100}, .max = {480}, .factory = 230,
-    .name = "Rated motor voltage", .source = provenance::inferred};
-inline constexpr reg<decihertz> frs{.code = "FRS", .address = 9602, .mode = access::configuration, .min = {100}, .max = {4000},
-    .name = "Rated motor frequency", .source = provenance::inferred};
-inline constexpr reg<deciamperes> ncr{.code = "NCR", .address = 9603, .mode = access::configuration, .min = {0}, .max = {65535},
-    .name = "Rated motor current", .source = provenance::inferred};
-inline constexpr reg<rpm> nsp{.code = "NSP", .address = 9604, .mode = access::configuration, .min = {0}, .max = {24000},
-    .name = "Rated motor speed", .source = provenance::inferred};
-inline constexpr reg<count16_hundredths> cos{.code = "COS", .address = 9606, .mode = access::configuration, .min = {50}, .max = {100},
-    .name = "Motor power factor", .source = provenance::inferred};
-inline constexpr reg<count16> npr{.code = "NPR", .address = 9613, .mode = access::configuration,
-    .name = "Rated motor power", .source = provenance::doubtful};
-inline constexpr reg<deciamperes> ith{.code = "ITH", .address = 9622, .min = {0}, .max = {65535},
-    .name = "Motor thermal protection current", .source = provenance::inferred};
-inline constexpr reg<percent> thr{.code = "THR", .address = 9630, .mode = access::read_only, .min = {0}, .max = {200}, .factory = 0,
-    .name = "Motor thermal state", .source = provenance::inferred};
-inline constexpr reg<stop_mode> stt{.code = "STT", .address = 11201, .mode = access::configuration,
-    .name = "Normal stop", .source = provenance::inferred};
-inline constexpr reg<count16> nma1{.code = "NMA1", .address = 12701, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 3201,
-    .name = "Scanner: address of input word 1"};
-inline constexpr reg<count16> nma2{.code = "NMA2", .address = 12702, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 8604,
-    .name = "Scanner: address of input word 2"};
-inline constexpr reg<count16> nma3{.code = "NMA3", .address = 12703, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of input word 3"};
-inline constexpr reg<count16> nma4{.code = "NMA4", .address = 12704, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of input word 4"};
-inline constexpr reg<count16> nma5{.code = "NMA5", .address = 12705, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of input word 5"};
-inline constexpr reg<count16> nma6{.code = "NMA6", .address = 12706, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of input word 6"};
-inline constexpr reg<count16> nma7{.code = "NMA7", .address = 12707, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of input word 7"};
-inline constexpr reg<count16> nma8{.code = "NMA8", .address = 12708, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of input word 8"};
-inline constexpr reg<count16> nca1{.code = "NCA1", .address = 12721, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 8501,
-    .name = "Scanner: address of output word 1"};
-inline constexpr reg<count16> nca2{.code = "NCA2", .address = 12722, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 8602,
-    .name = "Scanner: address of output word 2"};
-inline constexpr reg<count16> nca3{.code = "NCA3", .address = 12723, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of output word 3"};
-inline constexpr reg<count16> nca4{.code = "NCA4", .address = 12724, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of output word 4"};
-inline constexpr reg<count16> nca5{.code = "NCA5", .address = 12725, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of output word 5"};
-inline constexpr reg<count16> nca6{.code = "NCA6", .address = 12726, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of output word 6"};
-inline constexpr reg<count16> nca7{.code = "NCA7", .address = 12727, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of output word 7"};
-inline constexpr reg<count16> nca8{.code = "NCA8", .address = 12728, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of output word 8"};
-inline constexpr reg<count16> nm1{.code = "NM1", .address = 12741, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 1"};
-inline constexpr reg<count16> nm2{.code = "NM2", .address = 12742, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 2"};
-inline constexpr reg<count16> nm3{.code = "NM3", .address = 12743, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 3"};
-inline constexpr reg<count16> nm4{.code = "NM4", .address = 12744, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 4"};
-inline constexpr reg<count16> nm5{.code = "NM5", .address = 12745, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 5"};
-inline constexpr reg<count16> nm6{.code = "NM6", .address = 12746, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 6"};
-inline constexpr reg<count16> nm7{.code = "NM7", .address = 12747, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 7"};
-inline constexpr reg<count16> nm8{.code = "NM8", .address = 12748, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 8"};
-inline constexpr reg<count16> nc1{.code = "NC1", .address = 12761, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 1"};
-inline constexpr reg<count16> nc2{.code = "NC2", .address = 12762, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 2"};
-inline constexpr reg<count16> nc3{.code = "NC3", .address = 12763, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 3"};
-inline constexpr reg<count16> nc4{.code = "NC4", .address = 12764, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 4"};
-inline constexpr reg<count16> nc5{.code = "NC5", .address = 12765, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 5"};
-inline constexpr reg<count16> nc6{.code = "NC6", .address = 12766, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 6"};
-inline constexpr reg<count16> nc7{.code = "NC7", .address = 12767, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 7"};
-inline constexpr reg<count16> nc8{.code = "NC8", .address = 12768, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 8"};
+inline constexpr reg<rating> ncv{"NCV", 3011, is::cfg, {}, {}, {}, "Drive rating", is::inferred};
+inline constexpr reg<mains> vcal{"VCAL", 3012, is::cfg, {}, {}, {}, "Drive mains voltage", is::inferred};
+inline constexpr reg<deciamperes> inv{"INV", 3017, is::ro, 0, 65535, {}, "Rated drive current", is::inferred};
+inline constexpr reg<hectohertz> sfr{"SFR", 3102, is::rw, {}, {}, {}, "Switching frequency"};
+inline constexpr reg<decihertz> tfr{"TFR", 3103, is::cfg, {}, {}, {}, "Maximum output frequency"};
+inline constexpr reg<decihertz> hsp{"HSP", 3104, is::rw, "LSP", "TFR", {}, "High speed"};
+inline constexpr reg<decihertz> lsp{"LSP", 3105, is::rw, 0, "HSP", {}, "Low speed"};
+inline constexpr reg<status_word> eta{"ETA", 3201, is::ro, {}, {}, {}, "Status word"};
+inline constexpr reg<signed_decihertz> rfr{"RFR", 3202, is::ro, -5000, 5000, 0, "Output frequency", is::inferred};
+inline constexpr reg<signed_decihertz> frh{"FRH", 3203, is::ro, -32767, 32767, 0, "Frequency reference before the ramp", is::inferred};
+inline constexpr reg<deciamperes> lcr{"LCR", 3204, is::ro, 0, 65535, 0, "Motor current", is::inferred};
+inline constexpr reg<extended_status_word> eti{"ETI", 3206, is::ro, {}, {}, {}, "Extended status word"};
+inline constexpr reg<volts> uln{"ULN", 3207, is::ro, 0, 65535, 0, "Mains voltage from the DC bus", is::inferred};
+inline constexpr reg<percent> thd{"THD", 3209, is::ro, 0, 200, 0, "Drive thermal state", is::inferred};
+inline constexpr reg<signed_percent> opr{"OPR", 3211, is::ro, -32767, 32767, 0, "Motor power", is::inferred};
+inline constexpr reg<centihours> rthi{"RTHI", 3232, is::ro, 0, 65535, 0, "Motor running time", is::inferred};
+inline constexpr reg<centihours> pth{"PTH", 3233, is::ro, 0, 65535, 0, "Powered time", is::inferred};
+inline constexpr reg<product_state> hmis{"HMIS", 3240, is::ro, {}, {}, {}, "Product state", is::inferred};
+inline constexpr reg<count16> vdp{"VDP", 3302, is::ro, 0, 65535, 0, "Firmware version", is::inferred};
+inline constexpr reg<count16> add{"ADD", 6001, is::cfg, 0, 247, 0, "Unit address"};
+inline constexpr reg<serial_rate> tbr{"TBR", 6003, is::cfg, {}, {}, 32, "Line bit rate"};
+inline constexpr reg<serial_format> tfo{"TFO", 6004, is::cfg, {}, {}, 3, "Line character format"};
+inline constexpr reg<deciseconds> tto{"TTO", 6005, is::cfg, 1, 300, 100, "Communication time-out"};
+inline constexpr reg<link_lost_reaction> sll{"SLL", 7010, is::cfg, {}, {}, {}, "Reaction to a lost link", is::inferred};
+inline constexpr reg<fault_code> lft{"LFT", 7121, is::ro, {}, {}, {}, "Last fault", is::inferred};
+inline constexpr reg<configuration_faults> cic{"CIC", 7130, is::cfg, {}, {}, {}, "What is wrong with the configuration", is::inferred};
+inline constexpr reg<fault_code> dp0{"DP0", 7200, is::ro, {}, {}, {}, "Most recent fault", is::inferred};
+inline constexpr reg<fault_code> dp1{"DP1", 7201, is::ro, {}, {}, {}, "Fault 1 back", is::inferred};
+inline constexpr reg<fault_code> dp2{"DP2", 7202, is::ro, {}, {}, {}, "Fault 2 back", is::inferred};
+inline constexpr reg<fault_code> dp3{"DP3", 7203, is::ro, {}, {}, {}, "Fault 3 back", is::inferred};
+inline constexpr reg<fault_code> dp4{"DP4", 7204, is::ro, {}, {}, {}, "Fault 4 back", is::inferred};
+inline constexpr reg<channel_mode> chcf{"CHCF", 8401, is::cfg, {}, {}, {}, "Channel configuration", is::inferred};
+inline constexpr reg<reference_channel> fr1{"FR1", 8413, is::cfg, {}, {}, {}, "Reference channel 1", is::inferred};
+inline constexpr reg<command_channel> cd1{"CD1", 8423, is::cfg, {}, {}, {}, "Command channel 1", is::inferred};
+inline constexpr reg<local_input> flo{"FLO", 8431, is::cfg, {}, {}, {}, "Input that forces local control", is::inferred};
+inline constexpr reg<command_word> cmd{"CMD", 8501, is::rw, {}, {}, 0, "Command word"};
+inline constexpr reg<signed_decihertz> lfr{"LFR", 8502, is::rw, -32767, 32767, 0, "Frequency setpoint", is::inferred};
+inline constexpr reg<tenth_percent> pisp{"PISP", 8503, is::rw, 0, 1000, 0, "PI regulator setpoint", is::inferred};
+inline constexpr reg<extended_command_word> cmi{"CMI", 8504, is::rw, {}, {}, {}, "Extended command word"};
+inline constexpr reg<command_word> cmdd{"CMDD", 8601, is::rw, {}, {}, {}, "Command word, speed mode", is::inferred};
+inline constexpr reg<signed_rpm> lfrd{"LFRD", 8602, is::rw, {}, {}, 0, "Speed setpoint"};
+inline constexpr reg<status_word> etad{"ETAD", 8603, is::ro, {}, {}, {}, "Status word, speed mode", is::inferred};
+inline constexpr reg<signed_rpm> rfrd{"RFRD", 8604, is::ro, {}, {}, {}, "Output speed"};
+inline constexpr reg<deciseconds> acc{"ACC", 9001, is::rw, 0, 9999, 30, "Acceleration ramp time"};
+inline constexpr reg<deciseconds> dec{"DEC", 9002, is::rw, 0, 9999, 30, "Deceleration ramp time", is::inferred};
+inline constexpr reg<deciseconds> ac2{"AC2", 9012, is::rw, 0, 9999, 50, "Second acceleration ramp time", is::inferred};
+inline constexpr reg<deciseconds> de2{"DE2", 9013, is::rw, 0, 9999, 50, "Second deceleration ramp time", is::inferred};
+inline constexpr reg<volts> uns{"UNS", 9601, is::cfg, 100, 480, 230, "Rated motor voltage", is::inferred};
+inline constexpr reg<decihertz> frs{"FRS", 9602, is::cfg, 100, 4000, {}, "Rated motor frequency", is::inferred};
+inline constexpr reg<deciamperes> ncr{"NCR", 9603, is::cfg, 0, 65535, {}, "Rated motor current", is::inferred};
+inline constexpr reg<rpm> nsp{"NSP", 9604, is::cfg, 0, 24000, {}, "Rated motor speed", is::inferred};
+inline constexpr reg<count16_hundredths> cos{"COS", 9606, is::cfg, 50, 100, {}, "Motor power factor", is::inferred};
+inline constexpr reg<count16> npr{"NPR", 9613, is::cfg, {}, {}, {}, "Rated motor power", is::doubtful};
+inline constexpr reg<deciamperes> ith{"ITH", 9622, is::rw, 0, 65535, {}, "Motor thermal protection current", is::inferred};
+inline constexpr reg<percent> thr{"THR", 9630, is::ro, 0, 200, 0, "Motor thermal state", is::inferred};
+inline constexpr reg<stop_mode> stt{"STT", 11201, is::cfg, {}, {}, {}, "Normal stop", is::inferred};
+inline constexpr reg<count16> nma1{"NMA1", 12701, is::cfg, 0, 65535, 3201, "Scanner: address of input word 1"};
+inline constexpr reg<count16> nma2{"NMA2", 12702, is::cfg, 0, 65535, 8604, "Scanner: address of input word 2"};
+inline constexpr reg<count16> nma3{"NMA3", 12703, is::cfg, 0, 65535, 0, "Scanner: address of input word 3"};
+inline constexpr reg<count16> nma4{"NMA4", 12704, is::cfg, 0, 65535, 0, "Scanner: address of input word 4"};
+inline constexpr reg<count16> nma5{"NMA5", 12705, is::cfg, 0, 65535, 0, "Scanner: address of input word 5"};
+inline constexpr reg<count16> nma6{"NMA6", 12706, is::cfg, 0, 65535, 0, "Scanner: address of input word 6"};
+inline constexpr reg<count16> nma7{"NMA7", 12707, is::cfg, 0, 65535, 0, "Scanner: address of input word 7"};
+inline constexpr reg<count16> nma8{"NMA8", 12708, is::cfg, 0, 65535, 0, "Scanner: address of input word 8"};
+inline constexpr reg<count16> nca1{"NCA1", 12721, is::cfg, 0, 65535, 8501, "Scanner: address of output word 1"};
+inline constexpr reg<count16> nca2{"NCA2", 12722, is::cfg, 0, 65535, 8602, "Scanner: address of output word 2"};
+inline constexpr reg<count16> nca3{"NCA3", 12723, is::cfg, 0, 65535, 0, "Scanner: address of output word 3"};
+inline constexpr reg<count16> nca4{"NCA4", 12724, is::cfg, 0, 65535, 0, "Scanner: address of output word 4"};
+inline constexpr reg<count16> nca5{"NCA5", 12725, is::cfg, 0, 65535, 0, "Scanner: address of output word 5"};
+inline constexpr reg<count16> nca6{"NCA6", 12726, is::cfg, 0, 65535, 0, "Scanner: address of output word 6"};
+inline constexpr reg<count16> nca7{"NCA7", 12727, is::cfg, 0, 65535, 0, "Scanner: address of output word 7"};
+inline constexpr reg<count16> nca8{"NCA8", 12728, is::cfg, 0, 65535, 0, "Scanner: address of output word 8"};
+inline constexpr reg<count16> nm1{"NM1", 12741, is::ro, 0, 65535, {}, "Scanner: input word 1"};
+inline constexpr reg<count16> nm2{"NM2", 12742, is::ro, 0, 65535, {}, "Scanner: input word 2"};
+inline constexpr reg<count16> nm3{"NM3", 12743, is::ro, 0, 65535, {}, "Scanner: input word 3"};
+inline constexpr reg<count16> nm4{"NM4", 12744, is::ro, 0, 65535, {}, "Scanner: input word 4"};
+inline constexpr reg<count16> nm5{"NM5", 12745, is::ro, 0, 65535, {}, "Scanner: input word 5"};
+inline constexpr reg<count16> nm6{"NM6", 12746, is::ro, 0, 65535, {}, "Scanner: input word 6"};
+inline constexpr reg<count16> nm7{"NM7", 12747, is::ro, 0, 65535, {}, "Scanner: input word 7"};
+inline constexpr reg<count16> nm8{"NM8", 12748, is::ro, 0, 65535, {}, "Scanner: input word 8"};
+inline constexpr reg<count16> nc1{"NC1", 12761, is::rw, 0, 65535, {}, "Scanner: output word 1"};
+inline constexpr reg<count16> nc2{"NC2", 12762, is::rw, 0, 65535, {}, "Scanner: output word 2"};
+inline constexpr reg<count16> nc3{"NC3", 12763, is::rw, 0, 65535, {}, "Scanner: output word 3"};
+inline constexpr reg<count16> nc4{"NC4", 12764, is::rw, 0, 65535, {}, "Scanner: output word 4"};
+inline constexpr reg<count16> nc5{"NC5", 12765, is::rw, 0, 65535, {}, "Scanner: output word 5"};
+inline constexpr reg<count16> nc6{"NC6", 12766, is::rw, 0, 65535, {}, "Scanner: output word 6"};
+inline constexpr reg<count16> nc7{"NC7", 12767, is::rw, 0, 65535, {}, "Scanner: output word 7"};
+inline constexpr reg<count16> nc8{"NC8", 12768, is::rw, 0, 65535, {}, "Scanner: output word 8"};
 // clang-format on
 
 /// An ATV310 by its manual of 2014.

@@ -3,7 +3,13 @@
 //
 // What a controller needs to know of a drive beyond its registers: where its words are and how its state machine
 // differs; and what a simulated drive does besides. Each device carries it as data, so that no conversation depends on
-// a model's name.
+// a model's name. How the table of a drive is read:
+//
+//     reg<deciseconds> tto{"TTO", 6005, is::cfg, 1, 300, {}, "Communication time-out", is::inferred};
+//     what it holds: mnemonic, address, who may write it, least, most, as delivered, name, where that is from
+//
+// `is::rw` is written at any time, `is::cfg` only at rest, `is::ro` never. Limits and the value as delivered are counts of
+// its step; `{}` is none, or not known. A limit may be another register: "TFR". What is documented does not say so.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +17,21 @@
 #include <rtuwire/cia402/transition.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/table/register.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
+
+/// The words of two columns in the table of a drive.
+/// Internal.
+namespace is {
+
+inline constexpr access ro = access::read_only, rw = access::read_write, cfg = access::configuration;
+inline constexpr provenance documented = provenance::documented, inferred = provenance::inferred,
+                            doubtful = provenance::doubtful;
+
+} // namespace is
 
 /// Status bits that all Altivars share, beside those of the state.
 /// Internal.
