@@ -27,8 +27,7 @@ enum class tariff : std::uint16_t { day = 1, night = 2 };
 } // namespace meter
 
 template <>
-inline constexpr auto rtuwire::enumerators<meter::tariff> = rtuwire::detail::name_list<meter::tariff>({{1, "day"},
-                                                                                                       {2, "night"}});
+inline constexpr auto rtuwire::enumerators<meter::tariff> = rtuwire::detail::name_list({{1, "day"}, {2, "night"}});
 
 namespace meter {
 

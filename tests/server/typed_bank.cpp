@@ -19,7 +19,7 @@ enum class lamp : std::uint16_t {};
 } // namespace
 
 template <>
-inline constexpr auto rtuwire::enumerators<valve> = rtuwire::detail::name_list<valve>({{1, "closed"}, {4, "open"}});
+inline constexpr auto rtuwire::enumerators<valve> = rtuwire::detail::name_list({{1, "closed"}, {4, "open"}});
 
 namespace {
 

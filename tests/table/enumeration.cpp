@@ -16,7 +16,7 @@ enum class listed : std::uint16_t { off = 2, on = 5 };
 } // namespace
 
 namespace rtuwire {
-template <> inline constexpr auto enumerators<listed> = name_list<listed>({{2, "OFF"}, {5, "ON"}});
+template <> inline constexpr auto enumerators<listed> = name_list({{2, "OFF"}, {5, "ON"}});
 } // namespace rtuwire
 
 STATIC_CHECK(listed_values<unlisted>.empty());

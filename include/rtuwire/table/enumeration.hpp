@@ -60,7 +60,7 @@ template <typename Enum> inline constexpr auto meanings = detail::names_in_choic
 namespace detail {
 
 /// A list of names, for a specialisation of `enumerators` or `meanings`.
-template <typename Enum, std::size_t Count>
+template <std::size_t Count>
 [[nodiscard]] consteval std::array<named_value, Count> name_list(named_value const (&names)[Count]) noexcept
 {
     std::array<named_value, Count> list{};

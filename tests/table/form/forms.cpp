@@ -23,7 +23,7 @@ enum class valve : std::uint16_t { closed = 1, open = 4 };
 } // namespace
 
 template <>
-inline constexpr auto rtuwire::enumerators<valve> = rtuwire::detail::name_list<valve>({{1, "closed"}, {4, "open"}});
+inline constexpr auto rtuwire::enumerators<valve> = rtuwire::detail::name_list({{1, "closed"}, {4, "open"}});
 
 namespace {
 

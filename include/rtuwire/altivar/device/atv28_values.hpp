@@ -118,97 +118,76 @@ enum class profile_fault : std::uint16_t {
 } // namespace altivar::atv28
 
 // clang-format off
-template <>
-inline constexpr auto enumerators<altivar::atv28::control_mode> = detail::name_list<altivar::atv28::control_mode>({
+template <> inline constexpr auto enumerators<altivar::atv28::control_mode> = detail::name_list({
     {0, "2C"}, {1, "3C"}, {2, "OPt"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::serial_rate> = detail::name_list<altivar::atv28::serial_rate>({
+template <> inline constexpr auto enumerators<altivar::atv28::serial_rate> = detail::name_list({
     {7, "9600"}, {8, "19200"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::base_frequency> = detail::name_list<altivar::atv28::base_frequency>({
+template <> inline constexpr auto enumerators<altivar::atv28::base_frequency> = detail::name_list({
     {0, "50Hz"}, {1, "60Hz"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::analog_output_range> = detail::name_list<altivar::atv28::analog_output_range>({
+template <> inline constexpr auto enumerators<altivar::atv28::analog_output_range> = detail::name_list({
     {0, "0-20mA"}, {1, "4-20mA"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::autotune> = detail::name_list<altivar::atv28::autotune>({
+template <> inline constexpr auto enumerators<altivar::atv28::autotune> = detail::name_list({
     {0, "nO"}, {1, "donE"}, {2, "YES"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::no_yes> = detail::name_list<altivar::atv28::no_yes>({
+template <> inline constexpr auto enumerators<altivar::atv28::no_yes> = detail::name_list({
     {0, "nO"}, {1, "YES"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::motor_ratio> = detail::name_list<altivar::atv28::motor_ratio>({
+template <> inline constexpr auto enumerators<altivar::atv28::motor_ratio> = detail::name_list({
     {0, "L"}, {1, "P"}, {2, "n"}, {3, "nLd"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::input_1_function> = detail::name_list<altivar::atv28::input_1_function>({
+template <> inline constexpr auto enumerators<altivar::atv28::input_1_function> = detail::name_list({
     {0, "nO"}, {1, "Stop"}, {2, "For"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::input_function> = detail::name_list<altivar::atv28::input_function>({
+template <> inline constexpr auto enumerators<altivar::atv28::input_function> = detail::name_list({
     {0, "nO"}, {2, "For"}, {3, "rrS"}, {4, "rP2"}, {5, "JOG"}, {8, "PS2"}, {9, "PS4"}, {10, "PS8"},
     {11, "rFC"}, {12, "nSt"}, {13, "dCI"}, {14, "FSt"}, {17, "FLO"}, {18, "rSt"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::free_input_function> = detail::name_list<altivar::atv28::free_input_function>({
+template <> inline constexpr auto enumerators<altivar::atv28::free_input_function> = detail::name_list({
     {0, "nO"}, {3, "rrS"}, {4, "rP2"}, {5, "JOG"}, {8, "PS2"}, {9, "PS4"}, {10, "PS8"},
     {11, "rFC"}, {12, "nSt"}, {13, "dCI"}, {14, "FSt"}, {17, "FLO"}, {18, "rSt"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::analog_input_function> = detail::name_list<altivar::atv28::analog_input_function>({
+template <> inline constexpr auto enumerators<altivar::atv28::analog_input_function> = detail::name_list({
     {0, "nO"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::relay_function> = detail::name_list<altivar::atv28::relay_function>({
+template <> inline constexpr auto enumerators<altivar::atv28::relay_function> = detail::name_list({
     {0, "nO"}, {4, "FtA"}, {6, "CtA"}, {7, "SrA"}, {8, "tSA"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::analog_output_function> = detail::name_list<altivar::atv28::analog_output_function>({
+template <> inline constexpr auto enumerators<altivar::atv28::analog_output_function> = detail::name_list({
     {0, "nO"}, {1, "OCr"}, {2, "rFr"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::restart_mode> = detail::name_list<altivar::atv28::restart_mode>({
+template <> inline constexpr auto enumerators<altivar::atv28::restart_mode> = detail::name_list({
     {0, "nO"}, {1, "YES"}, {2, "USF"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::direction> = detail::name_list<altivar::atv28::direction>({
+template <> inline constexpr auto enumerators<altivar::atv28::direction> = detail::name_list({
     {0, "FOr"}, {1, "rrS"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::fault_code> = detail::name_list<altivar::atv28::fault_code>({
+template <> inline constexpr auto enumerators<altivar::atv28::fault_code> = detail::name_list({
     {0, "nOF"}, {1, "InF"}, {2, "EEF"}, {5, "SLF"}, {9, "OCF"}, {16, "OHF"}, {17, "OLF"},
     {18, "ObF"}, {19, "OSF"}, {20, "OPF"}, {21, "PHF"}, {23, "SCF"}, {25, "tnF"},
 });
-template <>
-inline constexpr auto meanings<altivar::atv28::fault_code> = detail::name_list<altivar::atv28::fault_code>({
+template <> inline constexpr auto meanings<altivar::atv28::fault_code> = detail::name_list({
     {0, "no fault"}, {1, "internal fault"}, {2, "memory failed"}, {5, "serial link interrupted"}, {9, "overcurrent"},
     {16, "drive overheated"}, {17, "motor overloaded"}, {18, "DC bus overvoltage"},
     {19, "mains overvoltage"}, {20, "motor phase lost"}, {21, "mains phase lost"}, {23, "motor short circuit"},
     {25, "tuning failed"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::rating> = detail::name_list<altivar::atv28::rating>({
+template <> inline constexpr auto enumerators<altivar::atv28::rating> = detail::name_list({
     {4, "U09"}, {5, "U18"}, {6, "U29"}, {7, "U41"}, {8, "U54"}, {10, "U72"}, {11, "U90"},
     {12, "D12"}, {13, "D16"}, {14, "D23"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::mains> = detail::name_list<altivar::atv28::mains>({
+template <> inline constexpr auto enumerators<altivar::atv28::mains> = detail::name_list({
     {1, "single-phase-230"}, {2, "three-phase-400"}, {3, "three-phase-230"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv28::profile_fault> = detail::name_list<altivar::atv28::profile_fault>({
+template <> inline constexpr auto enumerators<altivar::atv28::profile_fault> = detail::name_list({
     {0x0000, "nOF"}, {0x1000, "OLF"}, {0x2310, "OCF"}, {0x3110, "OSF"}, {0x3120, "USF"},
     {0x3130, "PHF"}, {0x3310, "ObF_OPF"}, {0x4210, "OHF"}, {0x5520, "EEF"}, {0x6100, "InF"},
     {0x7510, "SLF"},
 });
-template <>
-inline constexpr auto meanings<altivar::atv28::profile_fault> = detail::name_list<altivar::atv28::profile_fault>({
+template <> inline constexpr auto meanings<altivar::atv28::profile_fault> = detail::name_list({
     {0x0000, "no fault"}, {0x1000, "motor overloaded"}, {0x2310, "overcurrent"}, {0x3110, "mains overvoltage"},
     {0x3120, "mains undervoltage"}, {0x3130, "mains phase lost"}, {0x3310, "DC bus overvoltage, or motor phase lost"},
     {0x4210, "drive overheated"}, {0x5520, "memory failed"}, {0x6100, "internal fault"},

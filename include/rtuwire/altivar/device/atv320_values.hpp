@@ -116,8 +116,7 @@ enum class ramp_step : std::uint16_t {
 } // namespace altivar::atv320
 
 // clang-format off
-template <>
-inline constexpr auto enumerators<altivar::atv320::serial_rate> = detail::name_list<altivar::atv320::serial_rate>({
+template <> inline constexpr auto enumerators<altivar::atv320::serial_rate> = detail::name_list({
     {0, "nO"}, {4, "AUtO"}, {8, "300"}, {12, "600"}, {16, "1200"}, {20, "2400"}, {24, "4800"},
     {28, "9600"}, {30, "10000"}, {32, "19200"}, {34, "20000"}, {35, "28800"}, {36, "38400"},
     {37, "45450"}, {38, "50000"}, {40, "57600"}, {42, "93750"}, {44, "100K"}, {48, "115K2"},
@@ -125,13 +124,11 @@ inline constexpr auto enumerators<altivar::atv320::serial_rate> = detail::name_l
     {68, "500K"}, {69, "625K"}, {70, "800K"}, {72, "921K6"}, {76, "1M"}, {80, "1M5"}, {81, "2M5"},
     {82, "3M"}, {83, "6M"}, {84, "10M"}, {86, "5M"}, {88, "12M"}, {92, "100M"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::serial_format> = detail::name_list<altivar::atv320::serial_format>({
+template <> inline constexpr auto enumerators<altivar::atv320::serial_format> = detail::name_list({
     {0, "nO"}, {1, "AUtO"}, {2, "8O1"}, {3, "8E1"}, {4, "8n1"}, {5, "8n2"}, {6, "7O1"}, {7, "7E1"},
     {8, "7O2"}, {9, "7E2"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::reference_channel> = detail::name_list<altivar::atv320::reference_channel>({
+template <> inline constexpr auto enumerators<altivar::atv320::reference_channel> = detail::name_list({
     {0, "nO"}, {1, "AI1"}, {2, "AI2"}, {3, "AI3"}, {129, "OCr"}, {130, "OFr"}, {131, "OrP"},
     {132, "trq"}, {133, "Stq"}, {134, "OrS"}, {135, "OPS"}, {136, "OPF"}, {137, "OPE"},
     {138, "OPI"}, {139, "OPr"}, {140, "tHr"}, {141, "tHd"}, {142, "tqMS"}, {160, "UPdt"},
@@ -140,43 +137,34 @@ inline constexpr auto enumerators<altivar::atv320::reference_channel> = detail::
     {184, "dO1"}, {185, "AIV2"}, {240, "OA01"}, {241, "OA02"}, {242, "OA03"}, {243, "OA04"},
     {244, "OA05"}, {245, "OA06"}, {246, "OA07"}, {247, "OA08"}, {248, "OA09"}, {249, "OA10"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::command_channel> = detail::name_list<altivar::atv320::command_channel>({
+template <> inline constexpr auto enumerators<altivar::atv320::command_channel> = detail::name_list({
     {1, "tEr"}, {2, "LOC"}, {3, "LCC"}, {10, "Mdb"}, {20, "CAn"}, {30, "nEt"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::channel_mode> = detail::name_list<altivar::atv320::channel_mode>({
+template <> inline constexpr auto enumerators<altivar::atv320::channel_mode> = detail::name_list({
     {1, "SIM"}, {2, "SEP"}, {3, "IO"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::stop_mode> = detail::name_list<altivar::atv320::stop_mode>({
+template <> inline constexpr auto enumerators<altivar::atv320::stop_mode> = detail::name_list({
     {0, "rMP"}, {1, "FSt"}, {2, "nSt"}, {3, "dCI"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::link_lost_reaction> = detail::name_list<altivar::atv320::link_lost_reaction>({
+template <> inline constexpr auto enumerators<altivar::atv320::link_lost_reaction> = detail::name_list({
     {0, "nO"}, {1, "YES"}, {2, "Stt"}, {4, "LFF"}, {5, "rLS"}, {6, "rMP"}, {7, "FSt"}, {8, "dCI"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::control_mode> = detail::name_list<altivar::atv320::control_mode>({
+template <> inline constexpr auto enumerators<altivar::atv320::control_mode> = detail::name_list({
     {0, "2C"}, {1, "3C"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::no_yes> = detail::name_list<altivar::atv320::no_yes>({
+template <> inline constexpr auto enumerators<altivar::atv320::no_yes> = detail::name_list({
     {0, "nO"}, {1, "YES"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::disable_stop> = detail::name_list<altivar::atv320::disable_stop>({
+template <> inline constexpr auto enumerators<altivar::atv320::disable_stop> = detail::name_list({
     {0, "nSt"}, {1, "rMP"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::product_state> = detail::name_list<altivar::atv320::product_state>({
+template <> inline constexpr auto enumerators<altivar::atv320::product_state> = detail::name_list({
     {0, "tUn"}, {1, "dCb"}, {2, "rdY"}, {3, "nSt"}, {4, "rUn"}, {5, "ACC"}, {6, "dEC"}, {7, "CLI"},
     {8, "FSt"}, {9, "FLU"}, {11, "nLP"}, {12, "PrA"}, {13, "CtL"}, {14, "Obr"}, {15, "SOC"},
     {17, "USA"}, {18, "tC"}, {19, "St"}, {20, "FA"}, {21, "OK"}, {22, "EP"}, {23, "FLt"},
     {25, "dCP"}, {28, "SS1"}, {29, "SLS"}, {30, "StO"}, {31, "SMS"}, {32, "GdL"},
 });
-template <>
-inline constexpr auto meanings<altivar::atv320::product_state> = detail::name_list<altivar::atv320::product_state>({
+template <> inline constexpr auto meanings<altivar::atv320::product_state> = detail::name_list({
     {0, "tuning"}, {1, "DC injection braking"}, {2, "ready"}, {3, "freewheel stop"}, {4, "running"},
     {5, "accelerating"}, {6, "decelerating"}, {7, "in current limit"}, {8, "fast stop"}, {9, "fluxing the motor"},
     {11, "no mains power"}, {12, "power removed"}, {13, "controlled stop"}, {14, "ramp adapted"},
@@ -184,8 +172,7 @@ inline constexpr auto meanings<altivar::atv320::product_state> = detail::name_li
     {20, "self-test failed"}, {21, "self-test passed"}, {22, "memory test"}, {23, "in fault"}, {28, "safe stop 1"},
     {29, "safely limited speed"}, {30, "safe torque off"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::fault_code> = detail::name_list<altivar::atv320::fault_code>({
+template <> inline constexpr auto enumerators<altivar::atv320::fault_code> = detail::name_list({
     {0, "nOF"}, {2, "EEF1"}, {3, "CFF"}, {4, "CFI"}, {5, "SLF1"}, {6, "ILF"}, {7, "CnF"},
     {8, "EPF1"}, {9, "OCF"}, {10, "CrF1"}, {11, "SPF"}, {12, "AnF"}, {16, "OHF"}, {17, "OLF"},
     {18, "ObF"}, {19, "OSF"}, {20, "OPF1"}, {21, "PHF"}, {22, "USF"}, {23, "SCF1"}, {24, "SOF"},
@@ -197,8 +184,7 @@ inline constexpr auto enumerators<altivar::atv320::fault_code> = detail::name_li
     {99, "CSF"}, {100, "ULF"}, {101, "OLC"}, {105, "ASF"}, {107, "SAFF"}, {108, "FbE"},
     {109, "FbES"},
 });
-template <>
-inline constexpr auto meanings<altivar::atv320::fault_code> = detail::name_list<altivar::atv320::fault_code>({
+template <> inline constexpr auto meanings<altivar::atv320::fault_code> = detail::name_list({
     {0, "no fault"}, {2, "control memory failed"}, {3, "incorrect configuration"}, {4, "invalid configuration"},
     {5, "Modbus interrupted"}, {6, "internal link to the option interrupted"}, {7, "network fault"},
     {8, "external fault by an input"}, {9, "overcurrent"}, {10, "precharge failed"}, {11, "speed feedback lost"},
@@ -220,20 +206,17 @@ inline constexpr auto meanings<altivar::atv320::fault_code> = detail::name_list<
     {101, "process overloaded"}, {105, "motor angle not found"}, {107, "safety function fault"},
     {108, "function block fault"}, {109, "function blocks stopped"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::rating> = detail::name_list<altivar::atv320::rating>({
+template <> inline constexpr auto enumerators<altivar::atv320::rating> = detail::name_list({
     {0, "nO"}, {1, "U010"}, {2, "U018"}, {3, "U025"}, {4, "U037"}, {5, "U055"}, {6, "U075"},
     {7, "U090"}, {8, "U110"}, {9, "U150"}, {10, "U185"}, {11, "U220"}, {12, "U300"}, {13, "U370"},
     {14, "U400"}, {15, "U550"}, {16, "U750"}, {17, "U900"}, {18, "d110"}, {19, "d150"},
     {20, "d185"}, {21, "d220"}, {22, "d300"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::mains> = detail::name_list<altivar::atv320::mains>({
+template <> inline constexpr auto enumerators<altivar::atv320::mains> = detail::name_list({
     {0, "nO"}, {1, "110M"}, {2, "110t"}, {3, "220M"}, {4, "220t"}, {5, "480M"}, {6, "480t"},
     {7, "690M"}, {8, "690t"}, {9, "600M"}, {10, "600t"},
 });
-template <>
-inline constexpr auto enumerators<altivar::atv320::ramp_step> = detail::name_list<altivar::atv320::ramp_step>({
+template <> inline constexpr auto enumerators<altivar::atv320::ramp_step> = detail::name_list({
     {0, "001"}, {1, "01"}, {2, "1"},
 });
 // clang-format on

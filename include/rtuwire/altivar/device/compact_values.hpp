@@ -92,61 +92,49 @@ enum class mains : std::uint16_t {
 } // namespace altivar::compact
 
 // clang-format off
-template <>
-inline constexpr auto enumerators<altivar::compact::serial_rate> = detail::name_list<altivar::compact::serial_rate>({
+template <> inline constexpr auto enumerators<altivar::compact::serial_rate> = detail::name_list({
     {24, "4800"}, {28, "9600"}, {32, "19200"}, {36, "38400"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::serial_format> = detail::name_list<altivar::compact::serial_format>({
+template <> inline constexpr auto enumerators<altivar::compact::serial_format> = detail::name_list({
     {2, "8O1"}, {3, "8E1"}, {4, "8n1"}, {5, "8n2"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::local_input> = detail::name_list<altivar::compact::local_input>({
+template <> inline constexpr auto enumerators<altivar::compact::local_input> = detail::name_list({
     {0, "nO"}, {1, "FLt"}, {2, "rUn"}, {4, "FtA"}, {5, "FLA"}, {6, "CtA"}, {7, "SrA"}, {8, "tSA"},
     {10, "PEE"}, {11, "PFA"}, {21, "ULA"}, {22, "OLA"}, {123, "AP1"}, {126, "PMP"}, {129, "LI1"},
     {130, "LI2"}, {131, "LI3"}, {132, "LI4"}, {145, "L1L"}, {146, "L2L"}, {147, "L3L"},
     {148, "L4L"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::reference_channel> = detail::name_list<altivar::compact::reference_channel>({
+template <> inline constexpr auto enumerators<altivar::compact::reference_channel> = detail::name_list({
     {0, "nO"}, {1, "AI1"}, {129, "OCr"}, {130, "OFr"}, {131, "OrP"}, {135, "OPS"}, {136, "OPF"},
     {137, "OPE"}, {139, "OPr"}, {140, "tHr"}, {141, "tHd"}, {163, "LCC"}, {164, "Mdb"},
     {183, "AIU1"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::command_channel> = detail::name_list<altivar::compact::command_channel>({
+template <> inline constexpr auto enumerators<altivar::compact::command_channel> = detail::name_list({
     {1, "tEr"}, {2, "LOC"}, {3, "LCC"}, {10, "Mdb"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::channel_mode> = detail::name_list<altivar::compact::channel_mode>({
+template <> inline constexpr auto enumerators<altivar::compact::channel_mode> = detail::name_list({
     {1, "SIM"}, {2, "SEP"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::stop_mode> = detail::name_list<altivar::compact::stop_mode>({
+template <> inline constexpr auto enumerators<altivar::compact::stop_mode> = detail::name_list({
     {0, "rMP"}, {8, "FSt"}, {13, "nSt"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::link_lost_reaction> = detail::name_list<altivar::compact::link_lost_reaction>({
+template <> inline constexpr auto enumerators<altivar::compact::link_lost_reaction> = detail::name_list({
     {0, "nO"}, {1, "YES"}, {4, "LFF"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::control_mode> = detail::name_list<altivar::compact::control_mode>({
+template <> inline constexpr auto enumerators<altivar::compact::control_mode> = detail::name_list({
     {0, "2C"}, {1, "3C"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::product_state> = detail::name_list<altivar::compact::product_state>({
+template <> inline constexpr auto enumerators<altivar::compact::product_state> = detail::name_list({
     {0, "tUn"}, {1, "dCb"}, {2, "rdY"}, {3, "nSt"}, {4, "rUn"}, {5, "ACC"}, {6, "dEC"}, {7, "CLI"},
     {8, "FSt"}, {11, "nLP"}, {13, "CtL"}, {14, "Obr"}, {23, "FLt"}, {24, "FrF"}, {31, "rEM"},
     {32, "LOC"},
 });
-template <>
-inline constexpr auto meanings<altivar::compact::product_state> = detail::name_list<altivar::compact::product_state>({
+template <> inline constexpr auto meanings<altivar::compact::product_state> = detail::name_list({
     {0, "tuning"}, {1, "DC injection braking"}, {2, "ready"}, {3, "freewheel stop"}, {4, "running"},
     {5, "accelerating"}, {6, "decelerating"}, {7, "in current limit"}, {8, "fast stop"}, {11, "no mains power"},
     {13, "controlled stop"}, {14, "ramp adapted"}, {23, "in fault"}, {24, "fallback speed"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::fault_code> = detail::name_list<altivar::compact::fault_code>({
+template <> inline constexpr auto enumerators<altivar::compact::fault_code> = detail::name_list({
     {0, "nOF"}, {1, "InF"}, {3, "CFF"}, {4, "CFI"}, {5, "SLF1"}, {8, "EPF1"}, {9, "OCF"},
     {10, "CrF1"}, {16, "OHF"}, {17, "OLF"}, {18, "ObF"}, {19, "OSF"}, {20, "OPF1"}, {21, "PHF"},
     {22, "USF"}, {23, "SCF1"}, {24, "SOF"}, {25, "tnF"}, {26, "InF1"}, {27, "InF2"}, {28, "InF3"},
@@ -154,8 +142,7 @@ inline constexpr auto enumerators<altivar::compact::fault_code> = detail::name_l
     {53, "InFb"}, {54, "tJF"}, {55, "SCF4"}, {56, "SCF5"}, {69, "InFE"}, {77, "CFI2"},
     {100, "ULF"}, {101, "OLC"}, {102, "SPIF"}, {106, "LFF1"}, {253, "XXXX"},
 });
-template <>
-inline constexpr auto meanings<altivar::compact::fault_code> = detail::name_list<altivar::compact::fault_code>({
+template <> inline constexpr auto meanings<altivar::compact::fault_code> = detail::name_list({
     {0, "no fault"}, {1, "internal fault"}, {3, "incorrect configuration"}, {4, "invalid configuration"},
     {5, "Modbus interrupted"}, {8, "external fault by an input"}, {9, "overcurrent"}, {10, "precharge failed"},
     {16, "drive overheated"}, {17, "motor overloaded"}, {18, "DC bus overvoltage"},
@@ -168,14 +155,12 @@ inline constexpr auto meanings<altivar::compact::fault_code> = detail::name_list
     {69, "processor failed"}, {77, "configuration transfer interrupted"}, {100, "process underloaded"},
     {101, "process overloaded"}, {102, "PI feedback lost"}, {106, "current loop of AI1 lost"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::rating> = detail::name_list<altivar::compact::rating>({
+template <> inline constexpr auto enumerators<altivar::compact::rating> = detail::name_list({
     {0, "nO"}, {1, "U010"}, {2, "U018"}, {3, "U025"}, {4, "U037"}, {5, "U055"}, {6, "U075"},
     {7, "U090"}, {8, "U110"}, {9, "U150"}, {10, "U185"}, {11, "U220"}, {12, "U300"}, {13, "U370"},
     {14, "U400"}, {15, "U550"}, {16, "U750"},
 });
-template <>
-inline constexpr auto enumerators<altivar::compact::mains> = detail::name_list<altivar::compact::mains>({
+template <> inline constexpr auto enumerators<altivar::compact::mains> = detail::name_list({
     {0, "nO"}, {1, "110M"}, {2, "110t"}, {3, "220M"}, {4, "220t"},
 });
 // clang-format on

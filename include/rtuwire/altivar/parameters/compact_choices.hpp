@@ -14,23 +14,19 @@ inline namespace RTUWIRE_BUILD {
 
 // clang-format off
 // What the values mean that the registers for driving have.
-template <>
-inline constexpr auto detail::words_of<altivar::compact::rating> = detail::name_list<altivar::compact::rating>({
+template <> inline constexpr auto detail::words_of<altivar::compact::rating> = detail::name_list({
     {0, "unknown"}, {1, "0.10 kW"}, {2, "0.18 kW"}, {3, "0.25 kW"}, {4, "0.37 kW"}, {5, "0.55 kW"},
     {6, "0.75 kW"}, {7, "0.90 kW"}, {8, "1.1 kW"}, {9, "1.5 kW"}, {10, "1.85 kW"}, {11, "2.2 kW"},
     {12, "3.0 kW"}, {13, "3.7 kW"}, {14, "4.0 kW"}, {15, "5.5 kW"}, {16, "7.5 kW"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::mains> = detail::name_list<altivar::compact::mains>({
+template <> inline constexpr auto detail::words_of<altivar::compact::mains> = detail::name_list({
     {0, "unknown"}, {1, "100-120 V, one phase"}, {2, "100-120 V, three phases"}, {3, "200-240 V, one phase"},
     {4, "200-240 V, three phases"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::control_mode> = detail::name_list<altivar::compact::control_mode>({
+template <> inline constexpr auto detail::words_of<altivar::compact::control_mode> = detail::name_list({
     {0, "2-wire"}, {1, "3-wire"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::local_input> = detail::name_list<altivar::compact::local_input>({
+template <> inline constexpr auto detail::words_of<altivar::compact::local_input> = detail::name_list({
     {0, "not assigned"}, {1, "no fault present"}, {2, "drive running"}, {4, "frequency threshold reached"},
     {5, "high speed reached"}, {6, "current threshold reached"}, {7, "reference reached"},
     {8, "motor thermal threshold reached"}, {10, "PI error alarm"}, {11, "PI feedback alarm"},
@@ -38,35 +34,28 @@ inline constexpr auto detail::words_of<altivar::compact::local_input> = detail::
     {129, "LI1"}, {130, "LI2"}, {131, "LI3"}, {132, "LI4"}, {145, "LI1, active low"}, {146, "LI2, active low"},
     {147, "LI3, active low"}, {148, "LI4, active low"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::reference_channel> = detail::name_list<altivar::compact::reference_channel>({
+template <> inline constexpr auto detail::words_of<altivar::compact::reference_channel> = detail::name_list({
     {0, "not assigned"}, {1, "AI1"}, {129, "motor current"}, {130, "output frequency"}, {131, "ramp output"},
     {135, "PI reference"}, {136, "PI feedback"}, {137, "PI error"}, {139, "motor power"},
     {140, "motor thermal state"}, {141, "drive thermal state"}, {163, "remote terminal"}, {164, "Modbus"},
     {183, "keypad dial (AIU1)"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::channel_mode> = detail::name_list<altivar::compact::channel_mode>({
+template <> inline constexpr auto detail::words_of<altivar::compact::channel_mode> = detail::name_list({
     {1, "command and reference together"}, {2, "command and reference apart"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::command_channel> = detail::name_list<altivar::compact::command_channel>({
+template <> inline constexpr auto detail::words_of<altivar::compact::command_channel> = detail::name_list({
     {1, "terminals"}, {2, "local keypad"}, {3, "remote terminal"}, {10, "Modbus"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::stop_mode> = detail::name_list<altivar::compact::stop_mode>({
+template <> inline constexpr auto detail::words_of<altivar::compact::stop_mode> = detail::name_list({
     {0, "ramp"}, {8, "fast stop"}, {13, "freewheel"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::link_lost_reaction> = detail::name_list<altivar::compact::link_lost_reaction>({
+template <> inline constexpr auto detail::words_of<altivar::compact::link_lost_reaction> = detail::name_list({
     {0, "ignored"}, {1, "freewheel stop"}, {4, "fallback speed"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::serial_rate> = detail::name_list<altivar::compact::serial_rate>({
+template <> inline constexpr auto detail::words_of<altivar::compact::serial_rate> = detail::name_list({
     {24, "4800 bit/s"}, {28, "9600 bit/s"}, {32, "19200 bit/s"}, {36, "38400 bit/s"},
 });
-template <>
-inline constexpr auto detail::words_of<altivar::compact::serial_format> = detail::name_list<altivar::compact::serial_format>({
+template <> inline constexpr auto detail::words_of<altivar::compact::serial_format> = detail::name_list({
     {2, "8O1"}, {3, "8E1"}, {4, "8N1"}, {5, "8N2"},
 });
 
