@@ -263,7 +263,7 @@ STATIC_CHECK(ends(told(release, begins, late), outcome_kind::aborted, errc::time
 STATIC_CHECK(ends(told(release, begins, read(free_28), written, late, read(free_28)), outcome_kind::aborted,
                   errc::timed_out));
 
-constexpr recall_procedure recall{old, {.run_inputs = 0}};
+constexpr cmi_order_procedure recall{old, {.run_inputs = 0}, recall_order};
 STATIC_CHECK(ends(told(recall, begins, read(fault_28), read(9)), outcome_kind::in_fault));
 STATIC_CHECK(ends(told(recall, begins, read(free_28), fails(errc::timed_out)), outcome_kind::silent, errc::timed_out));
 STATIC_CHECK(ends(told(recall, begins, read(free_28), read(0), fails(errc::timed_out), goes_on, read(0)),
@@ -273,7 +273,7 @@ STATIC_CHECK(ends(told(recall, begins, read(free_28), read(0), written, goes_on,
                   outcome_kind::executed_unconfirmed, errc::timed_out));
 STATIC_CHECK(ends(told(recall, begins, late), outcome_kind::aborted, errc::timed_out));
 
-constexpr factory_procedure factory{later, {.run_inputs = 0}};
+constexpr cmi_order_procedure factory{later, {.run_inputs = 0}, factory_order};
 STATIC_CHECK(ends(told(factory, begins, late), outcome_kind::aborted, errc::timed_out));
 STATIC_CHECK(ends(told(factory, begins, read(reacting), read(9)), outcome_kind::in_fault));
 STATIC_CHECK(ends(told(factory, begins, read(locked), fails(missing)), outcome_kind::refused, missing));

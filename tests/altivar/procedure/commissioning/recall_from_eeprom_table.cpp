@@ -87,7 +87,7 @@ constexpr std::array<stage_row<9>, 10> rows{{
 }};
 // clang-format on
 
-constexpr recall_procedure recall{atv28::device::layout, {}};
+constexpr cmi_order_procedure recall{atv28::device::layout, {}, recall_order};
 
 } // namespace
 
@@ -105,7 +105,7 @@ TEST_CASE("a recall of the settings does in each stage, at each answer, what its
 
 TEST_CASE("a recall is sent once, and silent only before that")
 {
-    recall_procedure it = led(recall, {begun, disabled, word(0)});
+    cmi_order_procedure it = led(recall, {begun, disabled, word(0)});
     CHECK(repetition_of(it.step(control_read)) == repetition::never);
     // A unit that is lost before the order is sent, and after it.
     CHECK(does(it, failed(errc::unit_lost), silent));

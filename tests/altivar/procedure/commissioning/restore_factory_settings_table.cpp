@@ -89,9 +89,10 @@ constexpr std::array<stage_row<8>, 7> rows{{
 }};
 // clang-format on
 
-constexpr factory_procedure restore{atv320::device::layout, {}}, unseen{atv310::device::layout, {}};
-constexpr factory_procedure trusting{atv310::device::layout, {.accept_unseen_inputs = true}};
-constexpr factory_procedure old{atv28::device::layout, {}};
+constexpr cmi_order_procedure restore{atv320::device::layout, {}, factory_order};
+constexpr cmi_order_procedure unseen{atv310::device::layout, {}, factory_order};
+constexpr cmi_order_procedure trusting{atv310::device::layout, {.accept_unseen_inputs = true}, factory_order};
+constexpr cmi_order_procedure old{atv28::device::layout, {}, factory_order};
 
 } // namespace
 
@@ -117,7 +118,7 @@ TEST_CASE("a restore of the factory settings repeats no order of CMI, not even a
 TEST_CASE("a restore is sent once, and silent only before that")
 {
     way const ordering{begun, disabled, word(0)};
-    factory_procedure it = led(restore, ordering);
+    cmi_order_procedure it = led(restore, ordering);
     CHECK(repetition_of(it.step(control_read)) == repetition::never);
     // A unit that is lost before the order is sent, and after it.
     CHECK(does(it, failed(errc::unit_lost), silent));

@@ -151,10 +151,10 @@ PROOF("a change to 0 is done where the drive says twice that it is there, one to
 
 constexpr bool says_nothing_was_done()
 {
-    factory_procedure it{atv320::device::layout, {.run_inputs = 0}};
+    cmi_order_procedure it{atv320::device::layout, {.run_inputs = 0}, factory_order};
     bool ok = reads(it.step(begins), eta) and what_of(it.step({kind::late})) == action_kind::end;
     ok = ok and it.reason().kind == outcome_kind::aborted;
-    factory_procedure refused{atv320::device::layout, {.run_inputs = 0}};
+    cmi_order_procedure refused{atv320::device::layout, {.run_inputs = 0}, factory_order};
     static_cast<void>(refused.step(begins));
     ok = ok and reads(refused.step(word(disabled)), 8504);
     static_cast<void>(refused.step({kind::failed, 0, errc::illegal_data_address}));

@@ -20,8 +20,12 @@ namespace altivar {
 /// One of the orders in CMI.
 struct cmi_order {
     std::uint16_t bit;
+    at_rest_rules rules;      ///< how the drive is checked before it
     bool is_read_back{false}; ///< the drive clears the bit once it has accepted the order, and can still be asked
 };
+
+inline constexpr cmi_order factory_order{.bit = 0x0001, .rules = {.accepts_fault = true, .ends_three_wire = true}};
+inline constexpr cmi_order recall_order{.bit = 0x0004, .rules = {.ends_three_wire = true}, .is_read_back = true};
 
 /// Decides such an order, word by word. "Undo" writes CMI without any order, and then ends so; "maybe" is
 /// `executed_unconfirmed`.
@@ -42,8 +46,8 @@ struct cmi_order {
 class cmi_order_procedure : public procedure {
 public:
     constexpr cmi_order_procedure(drive_layout const& layout, terminal_options const& options,
-                                  at_rest_rules const& rules, cmi_order order) noexcept
-        : cmi_order_procedure{layout, at_rest_procedure{layout, options, rules}, order}
+                                  cmi_order const& order) noexcept
+        : cmi_order_procedure{layout, at_rest_procedure{layout, options, order.rules}, order}
     {}
 
     [[nodiscard]] constexpr cmi_order_procedure anew() const noexcept { return {layout(), look_.anew(), order_}; }
@@ -67,7 +71,8 @@ public:
 private:
     enum class stage : std::uint8_t { looking, reading_control, ordering, waiting, confirming, taking_back };
 
-    constexpr cmi_order_procedure(drive_layout const& layout, at_rest_procedure const& look, cmi_order order) noexcept
+    constexpr cmi_order_procedure(drive_layout const& layout, at_rest_procedure const& look,
+                                  cmi_order const& order) noexcept
         : procedure{layout}, look_{look}, order_{order}
     {}
 

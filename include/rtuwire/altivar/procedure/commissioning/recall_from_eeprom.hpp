@@ -5,8 +5,6 @@
 // of CMI; other orders that CMI still holds are not repeated with it.
 #pragma once
 
-#include <cstdint>
-
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/commissioning/cmi_order.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
@@ -17,39 +15,19 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
 
-/// The bit of CMI that recalls.
-/// Internal.
-inline constexpr std::uint16_t recall_bit = 0x0004;
-
-/// Decides a recall: an order in CMI that is read back.
-/// Internal.
-class recall_procedure : public cmi_order_procedure {
-public:
-    constexpr recall_procedure(drive_layout const& layout, terminal_options const& options) noexcept
-        : cmi_order_procedure{layout, options, {.ends_three_wire = true}, {.bit = recall_bit, .is_read_back = true}}
-    {}
-
-    [[nodiscard]] constexpr recall_procedure anew() const noexcept
-    {
-        return recall_procedure{cmi_order_procedure::anew()};
-    }
-
-private:
-    explicit constexpr recall_procedure(cmi_order_procedure const& same) noexcept : cmi_order_procedure{same} {}
-};
-
 /// Recalls the saved settings of a drive at rest with its run inputs open: they may give the command to another source.
 /// The drive is silent for up to 2 s. `not_taken` where it did not accept the order, which is then cleared. Once the order
 /// was sent, it ends as `executed_unconfirmed` where the drive does not confirm it; an order that it may have left in
 /// CMI is cleared, if the drive still receives that.
-class recall_from_eeprom : public procedure_runner<recall_procedure> {
+class recall_from_eeprom : public procedure_runner<cmi_order_procedure> {
 public:
     template <device_type Device>
     explicit constexpr recall_from_eeprom(station<Device> const& its_drive, terminal_options const& its_options = {},
                                           duration its_limit = milliseconds(8'000)) noexcept
-        : procedure_runner{its_drive.unit(), recall_procedure{drive_check<Device>::layout, its_options}, its_limit}
+        : procedure_runner{its_drive.unit(),
+                           cmi_order_procedure{drive_check<Device>::layout, its_options, recall_order}, its_limit}
     {
-        static_assert((drive_check<Device>::layout.cmi_orders & recall_bit) != 0,
+        static_assert((drive_check<Device>::layout.cmi_orders & recall_order.bit) != 0,
                       "this device cannot recall its saved settings over the line");
     }
 };

@@ -6,8 +6,6 @@
 // would then start the motor, so the drive is checked first.
 #pragma once
 
-#include <cstdint>
-
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/commissioning/cmi_order.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
@@ -23,39 +21,19 @@ struct losing_control_and_address {
     explicit constexpr losing_control_and_address() noexcept = default;
 };
 
-/// The bit of CMI that restores.
-/// Internal.
-inline constexpr std::uint16_t factory_bit = 0x0001;
-
-/// Decides a restore: an order in CMI that is not read back.
-/// Internal.
-class factory_procedure : public cmi_order_procedure {
-public:
-    constexpr factory_procedure(drive_layout const& layout, terminal_options const& options) noexcept
-        : cmi_order_procedure{layout, options, {.accepts_fault = true, .ends_three_wire = true}, {.bit = factory_bit}}
-    {}
-
-    [[nodiscard]] constexpr factory_procedure anew() const noexcept
-    {
-        return factory_procedure{cmi_order_procedure::anew()};
-    }
-
-private:
-    explicit constexpr factory_procedure(cmi_order_procedure const& same) noexcept : cmi_order_procedure{same} {}
-};
-
 /// Restores the factory settings of a drive at rest or in fault, with its run inputs open (else `run_input_closed`):
 /// in three-wire control, too, because two-wire control comes back. Where the inputs cannot be read, as on an ATV310,
 /// the risk has to be accepted (`accept_unseen_inputs`), or it ends as `unknown_register`. Nothing is saved: the
 /// settings are lost with the power unless `save_to_eeprom` follows, if the drive can still be reached. The order is sent
 /// once. A good end is `executed_unconfirmed`; it never ends as `succeeded`, and as `silent` only before the order.
-class restore_factory_settings : public procedure_runner<factory_procedure> {
+class restore_factory_settings : public procedure_runner<cmi_order_procedure> {
 public:
     template <device_type Device>
     constexpr restore_factory_settings(station<Device> const& drive, losing_control_and_address,
                                        terminal_options const& options = {},
                                        duration limit = milliseconds(5'000)) noexcept
-        : procedure_runner{drive.unit(), factory_procedure{drive_check<Device>::layout, options}, limit}
+        : procedure_runner{drive.unit(), cmi_order_procedure{drive_check<Device>::layout, options, factory_order},
+                           limit}
     {}
 
     /// Refused: the statement is missing.
