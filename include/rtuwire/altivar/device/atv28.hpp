@@ -9,7 +9,6 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/device/atv28_values.hpp>
-#include <rtuwire/altivar/device/atv28_words.hpp>
 #include <rtuwire/altivar/device/cycle_registers.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/core/version.hpp>
