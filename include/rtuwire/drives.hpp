@@ -10,8 +10,8 @@
 
 #include <rtuwire/altivar/all_drives.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/device/family.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
-#include <rtuwire/altivar/device/words.hpp>
 #include <rtuwire/altivar/procedure/commissioning/broadcast_setting.hpp>
 #include <rtuwire/altivar/procedure/commissioning/channel.hpp>
 #include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>

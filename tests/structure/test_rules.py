@@ -34,7 +34,7 @@ class Layers(unittest.TestCase):
         self.allowed("table__table", "wire/function.hpp")
         self.allowed("port__posix_serial", "rtu/line.hpp")
         self.allowed("altivar__procedure__start", "ask/access.hpp")
-        self.allowed("altivar__cyclic__cyclic", "altivar/device/words.hpp")
+        self.allowed("altivar__cyclic__cyclic", "altivar/device/family.hpp")
         self.allowed("altivar__atv320", "altivar/device/atv320.hpp")
 
     def test_against_the_arrows_is_reported(self):

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Where each named bit of the drives' words stands, as their tables print it.
-#include <rtuwire/altivar/device/words.hpp>
+#include <rtuwire/altivar/device/family.hpp>
 
 #include "support/proof.hpp"
 

@@ -9,7 +9,6 @@
 #include <rtuwire/altivar/device/cycle_registers.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/altivar/device/family.hpp>
-#include <rtuwire/altivar/device/words.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 

@@ -4,7 +4,7 @@
 // Bits of the command and status words of ATV12, ATV310 and ATV320 in words.
 #pragma once
 
-#include <rtuwire/altivar/device/words.hpp>
+#include <rtuwire/altivar/device/family.hpp>
 #include <rtuwire/altivar/parameters/parameter.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
