@@ -20,7 +20,6 @@
 #include <rtuwire/altivar/procedure/commissioning/restore_factory_settings.hpp>
 #include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
 #include <rtuwire/altivar/procedure/inspection/identify.hpp>
-#include <rtuwire/altivar/procedure/inspection/period_rule.hpp>
 #include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/altivar/procedure/inspection/watch.hpp>
 #include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>

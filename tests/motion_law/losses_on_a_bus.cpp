@@ -10,7 +10,7 @@
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/inspection/period_rule.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision_report.hpp>
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/ask/single_request.hpp>
 

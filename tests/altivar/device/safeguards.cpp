@@ -10,7 +10,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/inspection/period_rule.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision_report.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
