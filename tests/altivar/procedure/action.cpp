@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Each action is told apart into what it was made of.
-#include <rtuwire/altivar/procedure/action.hpp>
+#include <rtuwire/altivar/procedure/procedure.hpp>
 
 #include "support/proof.hpp"
 
