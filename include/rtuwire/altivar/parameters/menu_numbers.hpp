@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include <rtuwire/altivar/parameters/text_match.hpp>
+#include <rtuwire/altivar/parameters/parameter_map.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
