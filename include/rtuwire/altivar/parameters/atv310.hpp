@@ -11,7 +11,6 @@
 #include <rtuwire/altivar/parameters/compact_choices.hpp>
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
 #include <rtuwire/altivar/parameters/row_table.hpp>
-#include <rtuwire/altivar/parameters/units.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {

@@ -10,7 +10,7 @@
 #include <rtuwire/altivar/parameters/atv320/driving_words.hpp>
 #include <rtuwire/altivar/parameters/family_words.hpp>
 #include <rtuwire/altivar/parameters/parameter.hpp>
-#include <rtuwire/altivar/parameters/units.hpp>
+#include <rtuwire/altivar/parameters/row_table.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire {
