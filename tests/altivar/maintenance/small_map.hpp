@@ -7,7 +7,7 @@
 
 #include <rtuwire/altivar/device/atv320.hpp>
 // What its values mean, before a row is made of them.
-#include <rtuwire/altivar/parameters/atv320/driving_words.hpp>
+#include <rtuwire/altivar/parameters/atv320/choices.hpp>
 #include <rtuwire/altivar/parameters/family_words.hpp>
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
 

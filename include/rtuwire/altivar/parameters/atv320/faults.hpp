@@ -7,8 +7,6 @@
 
 #include <rtuwire/altivar/device/atv320.hpp>
 #include <rtuwire/altivar/parameters/atv320/choices.hpp>
-#include <rtuwire/altivar/parameters/atv320/driving_words.hpp>
-#include <rtuwire/altivar/parameters/family_words.hpp>
 #include <rtuwire/altivar/parameters/parameter.hpp>
 #include <rtuwire/altivar/parameters/row_table.hpp>
 #include <rtuwire/core/version.hpp>
