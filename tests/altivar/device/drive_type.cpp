@@ -25,7 +25,7 @@ template <std::uint16_t Sll, std::uint16_t Tto, std::uint32_t Fixed, std::uint32
     }();
 };
 template <std::uint16_t Sll, std::uint16_t Tto, std::uint32_t Fixed = 0, std::uint32_t Longest = 7'000>
-constexpr bool is_guarded = has_timeout<guarded<Sll, Tto, Fixed, Longest>>();
+constexpr bool is_guarded = detail::has_timeout<guarded<Sll, Tto, Fixed, Longest>>();
 
 // Both registers are needed, at any address.
 STATIC_CHECK(is_guarded<7010, 6005>and is_guarded<1, 1>and is_guarded<1, 6005>and is_guarded<7010, 1>);
@@ -48,17 +48,21 @@ template <std::uint16_t Missing> struct scanning {
     using registers = some_registers<Missing>;
     static constexpr scanner_registers scanner{10, 20, 30, 40, 2};
 };
-STATIC_CHECK(has_every_scanner_register<scanning<0>>());
-STATIC_CHECK(not has_every_scanner_register<scanning<10>>() and not has_every_scanner_register<scanning<11>>());
-STATIC_CHECK(not has_every_scanner_register<scanning<20>>() and not has_every_scanner_register<scanning<21>>());
-STATIC_CHECK(not has_every_scanner_register<scanning<30>>() and not has_every_scanner_register<scanning<31>>());
-STATIC_CHECK(not has_every_scanner_register<scanning<40>>() and not has_every_scanner_register<scanning<41>>());
+STATIC_CHECK(detail::has_every_scanner_register<scanning<0>>());
+STATIC_CHECK(not detail::has_every_scanner_register<scanning<10>>() and
+             not detail::has_every_scanner_register<scanning<11>>());
+STATIC_CHECK(not detail::has_every_scanner_register<scanning<20>>() and
+             not detail::has_every_scanner_register<scanning<21>>());
+STATIC_CHECK(not detail::has_every_scanner_register<scanning<30>>() and
+             not detail::has_every_scanner_register<scanning<31>>());
+STATIC_CHECK(not detail::has_every_scanner_register<scanning<40>>() and
+             not detail::has_every_scanner_register<scanning<41>>());
 
 /// Without a scanner no register is asked for.
 struct unscanned {
     using registers = some_registers<0>;
     static constexpr scanner_registers scanner{};
 };
-STATIC_CHECK(has_every_scanner_register<unscanned>());
+STATIC_CHECK(detail::has_every_scanner_register<unscanned>());
 
 } // namespace

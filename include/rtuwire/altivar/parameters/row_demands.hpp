@@ -99,7 +99,7 @@ template <typename Device> [[nodiscard]] constexpr bool agrees_with_drive(parame
 }
 
 /// Of a drive whose registers are rows.
-template <has_all_parts T>
+template <detail::has_all_parts T>
     requires requires { T::registers::row_for(0); }
 inline constexpr bool has_rows_with_roles<T> = [] {
     bool all = detail::row_check<typename T::registers>::passed;

@@ -116,7 +116,7 @@ private:
     static constexpr bool is_order(std::size_t place) noexcept
     {
         bool is_output = false;
-        if constexpr (altivar::has_all_parts<Device>) {
+        if constexpr (has_all_parts<Device>) {
             is_output = Device::scanner.is_output(rule(place).address);
         }
         return is_output or rule(place).is_order;
@@ -132,7 +132,7 @@ private:
     /// A scanner stands, as delivered, for the registers of the cycle.
     static constexpr void map_scanner(words& all) noexcept
     {
-        if constexpr (altivar::has_all_parts<Device>) {
+        if constexpr (has_all_parts<Device>) {
             if (Device::cycle.by_scanner) {
                 map(all, Device::scanner.input_addresses, Device::cycle.reads);
                 map(all, Device::scanner.output_addresses, Device::cycle.writes);
