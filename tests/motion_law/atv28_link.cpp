@@ -86,9 +86,8 @@ struct bench : test::simulated_bus<drive_client<4>, device> {
 
 TEST_CASE("the words of direct control are those of the bulletin")
 {
-    // Bits 15, 3 and 1, and one more: 12 ramp, 13 DC injection, 14 fast stop, 11 reverse; 8 with 15 releases.
+    // Bits 15, 3 and 1, and one more: 12 ramp, 13 DC injection, 14 fast stop; 8 with 15 releases.
     CHECK(direct_run == (1U << 15U | 1U << 3U | 1U << 1U));
-    CHECK(direct_run_reverse == 34'826);
     CHECK(direct_ramp_stop == 36'874);
     CHECK(direct_dc_stop == 40'970);
     CHECK(direct_fast_stop == 49'162);

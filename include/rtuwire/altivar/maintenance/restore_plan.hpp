@@ -219,7 +219,6 @@ public:
     }
 
     [[nodiscard]] constexpr parameter_map const& map() const noexcept { return map_; }
-    [[nodiscard]] constexpr terminal_options const& terminals() const noexcept { return options_.terminals; }
     [[nodiscard]] constexpr restore_progress& progress() noexcept { return progress_; }
     [[nodiscard]] constexpr restore_progress const& progress() const noexcept { return progress_; }
 

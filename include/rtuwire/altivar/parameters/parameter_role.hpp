@@ -39,14 +39,6 @@ enum class parameter_role : std::uint8_t {
 /// Whether a parameter of this role belongs to a configuration, and may be restored at all.
 [[nodiscard]] constexpr bool is_restorable(parameter_role role) noexcept { return role < parameter_role::read_only; }
 
-/// Whether a restore writes it without an option that names it.
-/// Internal.
-[[nodiscard]] constexpr bool needs_no_option(parameter_role role) noexcept
-{
-    return role == parameter_role::setting or role == parameter_role::step_size or
-           role == parameter_role::frequency_limit or role == parameter_role::motion;
-}
-
 /// Whether a write of this role changes how a motor turns that runs, at once: what sets its speed or its ramps, the limits
 /// of both, the size of their steps, and their other forms. At rest it is an ordinary setting. What may let a motor turn
 /// that stands has other roles.

@@ -22,17 +22,10 @@ inline namespace RTUWIRE_BUILD {
 namespace altivar::atv28 {
 
 /// Control words with bit 15, outside the states of the drive profile: those that run have bits 1 and 3 set, and so
-/// have those that stop.
+/// have those that stop. The reference has a sign: 880A, which runs in reverse, is never sent.
 /// Internal.
-inline constexpr std::uint16_t direct_run = 0x800A; ///< at the reference, which has a sign
-/// Internal.
-inline constexpr std::uint16_t direct_run_reverse = 0x880A;
-/// Internal.
-inline constexpr std::uint16_t direct_ramp_stop = 0x900A;
-/// Internal.
-inline constexpr std::uint16_t direct_dc_stop = 0xA00A;
-/// Internal.
-inline constexpr std::uint16_t direct_fast_stop = 0xC00A;
+inline constexpr std::uint16_t direct_run = 0x800A, direct_ramp_stop = 0x900A, direct_dc_stop = 0xA00A,
+                               direct_fast_stop = 0xC00A;
 
 /// How a direct word stops the motor.
 enum class direct_stop_by : std::uint8_t { ramp, dc_injection, fast_stop };
