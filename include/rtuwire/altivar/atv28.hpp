@@ -4,8 +4,7 @@
 // The door to the registers of the ATV28. What is done with them stands in altivar/procedure and altivar/cyclic.
 #pragma once
 
-// What refuses a mistake stands directly below this door, each header before those that include it: GCC prints a line
-// for every header between the source and the one that refuses, and its sentence comes after them.
+// What refuses a mistake stands directly below this door: see altivar/atv12.hpp.
 #include <rtuwire/core/quantity.hpp>
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/table/table.hpp>

@@ -113,44 +113,28 @@ using firmware_word = flags<detail::unnamed_bit>;
 
 // clang-format off
 /// How the terminals command.
-enum class control_mode : std::uint16_t {
-    two_wire = 0, three_wire = 1, option = 2,
-};
+enum class control_mode : std::uint16_t { two_wire = 0, three_wire = 1, option = 2 };
 
 /// The line's bit rate.
-enum class serial_rate : std::uint16_t {
-    baud_9600 = 7, baud_19200 = 8,
-};
+enum class serial_rate : std::uint16_t { baud_9600 = 7, baud_19200 = 8 };
 
 /// The motor's base frequency.
-enum class base_frequency : std::uint16_t {
-    at_50_hertz = 0, at_60_hertz = 1,
-};
+enum class base_frequency : std::uint16_t { at_50_hertz = 0, at_60_hertz = 1 };
 
 /// The range of the analog output.
-enum class analog_output_range : std::uint16_t {
-    from_0_milliamperes = 0, from_4_milliamperes = 1,
-};
+enum class analog_output_range : std::uint16_t { from_0_milliamperes = 0, from_4_milliamperes = 1 };
 
 /// The state of the auto-tuning.
-enum class autotune : std::uint16_t {
-    no = 0, done = 1, yes = 2,
-};
+enum class autotune : std::uint16_t { no = 0, done = 1, yes = 2 };
 
 /// A switch.
-enum class no_yes : std::uint16_t {
-    no = 0, yes = 1,
-};
+enum class no_yes : std::uint16_t { no = 0, yes = 1 };
 
 /// The voltage/frequency law.
-enum class motor_ratio : std::uint16_t {
-    l = 0, p = 1, n = 2, nld = 3,
-};
+enum class motor_ratio : std::uint16_t { l = 0, p = 1, n = 2, nld = 3 };
 
 /// What logic input 1 does.
-enum class input_1_function : std::uint16_t {
-    no = 0, stop = 1, forward = 2,
-};
+enum class input_1_function : std::uint16_t { no = 0, stop = 1, forward = 2 };
 
 /// What a logic input does.
 enum class input_function : std::uint16_t {
@@ -165,29 +149,19 @@ enum class free_input_function : std::uint16_t {
 };
 
 /// What the analog input does; only one number survived.
-enum class analog_input_function : std::uint16_t {
-    no = 0,
-};
+enum class analog_input_function : std::uint16_t { no = 0 };
 
 /// What relay R2 shows.
-enum class relay_function : std::uint16_t {
-    no = 0, fta = 4, cta = 6, sra = 7, tsa = 8,
-};
+enum class relay_function : std::uint16_t { no = 0, fta = 4, cta = 6, sra = 7, tsa = 8 };
 
 /// What the analog output shows; some numbers are lost.
-enum class analog_output_function : std::uint16_t {
-    no = 0, ocr = 1, rfr = 2,
-};
+enum class analog_output_function : std::uint16_t { no = 0, ocr = 1, rfr = 2 };
 
 /// When the drive restarts by itself.
-enum class restart_mode : std::uint16_t {
-    no = 0, yes = 1, usf = 2,
-};
+enum class restart_mode : std::uint16_t { no = 0, yes = 1, usf = 2 };
 
 /// The direction in local control.
-enum class direction : std::uint16_t {
-    forward = 0, rrs = 1,
-};
+enum class direction : std::uint16_t { forward = 0, rrs = 1 };
 
 /// Why the drive tripped.
 enum class fault_code : std::uint16_t {
@@ -201,9 +175,7 @@ enum class rating : std::uint16_t {
 };
 
 /// The drive's supply.
-enum class mains : std::uint16_t {
-    single_phase_230 = 1, three_phase_400 = 2, three_phase_230 = 3,
-};
+enum class mains : std::uint16_t { single_phase_230 = 1, three_phase_400 = 2, three_phase_230 = 3 };
 
 /// The fault in the drive profile's numbers.
 enum class profile_fault : std::uint16_t {
@@ -230,9 +202,7 @@ template <> inline constexpr auto enumerators<altivar::atv28::analog_output_rang
 template <> inline constexpr auto enumerators<altivar::atv28::autotune> = detail::name_list({
     {0, "nO"}, {1, "donE"}, {2, "YES"},
 });
-template <> inline constexpr auto enumerators<altivar::atv28::no_yes> = detail::name_list({
-    {0, "nO"}, {1, "YES"},
-});
+template <> inline constexpr auto enumerators<altivar::atv28::no_yes> = detail::name_list({{0, "nO"}, {1, "YES"}});
 template <> inline constexpr auto enumerators<altivar::atv28::motor_ratio> = detail::name_list({
     {0, "L"}, {1, "P"}, {2, "n"}, {3, "nLd"},
 });
@@ -247,9 +217,7 @@ template <> inline constexpr auto enumerators<altivar::atv28::free_input_functio
     {0, "nO"}, {3, "rrS"}, {4, "rP2"}, {5, "JOG"}, {8, "PS2"}, {9, "PS4"}, {10, "PS8"},
     {11, "rFC"}, {12, "nSt"}, {13, "dCI"}, {14, "FSt"}, {17, "FLO"}, {18, "rSt"},
 });
-template <> inline constexpr auto enumerators<altivar::atv28::analog_input_function> = detail::name_list({
-    {0, "nO"},
-});
+template <> inline constexpr auto enumerators<altivar::atv28::analog_input_function> = detail::name_list({{0, "nO"}});
 template <> inline constexpr auto enumerators<altivar::atv28::relay_function> = detail::name_list({
     {0, "nO"}, {4, "FtA"}, {6, "CtA"}, {7, "SrA"}, {8, "tSA"},
 });

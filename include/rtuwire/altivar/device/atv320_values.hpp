@@ -42,19 +42,13 @@ enum class reference_channel : std::uint16_t {
 };
 
 /// Where commands come from.
-enum class command_channel : std::uint16_t {
-    ter = 1, loc = 2, lcc = 3, mdb = 10, can = 20, net = 30,
-};
+enum class command_channel : std::uint16_t { ter = 1, loc = 2, lcc = 3, mdb = 10, can = 20, net = 30 };
 
 /// Whether command and reference share a channel.
-enum class channel_mode : std::uint16_t {
-    sim = 1, sep = 2, io = 3,
-};
+enum class channel_mode : std::uint16_t { sim = 1, sep = 2, io = 3 };
 
 /// How the motor is stopped.
-enum class stop_mode : std::uint16_t {
-    rmp = 0, fst = 1, nst = 2, dci = 3,
-};
+enum class stop_mode : std::uint16_t { rmp = 0, fst = 1, nst = 2, dci = 3 };
 
 /// What a lost link does.
 enum class link_lost_reaction : std::uint16_t {
@@ -62,19 +56,13 @@ enum class link_lost_reaction : std::uint16_t {
 };
 
 /// How the terminals command.
-enum class control_mode : std::uint16_t {
-    two_wire = 0, three_wire = 1,
-};
+enum class control_mode : std::uint16_t { two_wire = 0, three_wire = 1 };
 
 /// A switch.
-enum class no_yes : std::uint16_t {
-    no = 0, yes = 1,
-};
+enum class no_yes : std::uint16_t { no = 0, yes = 1 };
 
 /// How "disable operation" stops the motor.
-enum class disable_stop : std::uint16_t {
-    freewheel = 0, ramp = 1,
-};
+enum class disable_stop : std::uint16_t { freewheel = 0, ramp = 1 };
 
 /// What the drive is doing.
 enum class product_state : std::uint16_t {
@@ -108,9 +96,7 @@ enum class mains : std::uint16_t {
 };
 
 /// How long one count of a ramp time is.
-enum class ramp_step : std::uint16_t {
-    hundredths = 0, tenths = 1, whole = 2,
-};
+enum class ramp_step : std::uint16_t { hundredths = 0, tenths = 1, whole = 2 };
 // clang-format on
 
 } // namespace altivar::atv320
@@ -152,9 +138,7 @@ template <> inline constexpr auto enumerators<altivar::atv320::link_lost_reactio
 template <> inline constexpr auto enumerators<altivar::atv320::control_mode> = detail::name_list({
     {0, "2C"}, {1, "3C"},
 });
-template <> inline constexpr auto enumerators<altivar::atv320::no_yes> = detail::name_list({
-    {0, "nO"}, {1, "YES"},
-});
+template <> inline constexpr auto enumerators<altivar::atv320::no_yes> = detail::name_list({{0, "nO"}, {1, "YES"}});
 template <> inline constexpr auto enumerators<altivar::atv320::disable_stop> = detail::name_list({
     {0, "nSt"}, {1, "rMP"},
 });

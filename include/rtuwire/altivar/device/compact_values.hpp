@@ -15,14 +15,10 @@ namespace altivar::compact {
 
 // clang-format off
 /// The line's bit rate.
-enum class serial_rate : std::uint16_t {
-    baud_4800 = 24, baud_9600 = 28, baud_19200 = 32, baud_38400 = 36,
-};
+enum class serial_rate : std::uint16_t { baud_4800 = 24, baud_9600 = 28, baud_19200 = 32, baud_38400 = 36 };
 
 /// The line's character format.
-enum class serial_format : std::uint16_t {
-    odd_8_1 = 2, even_8_1 = 3, none_8_1 = 4, none_8_2 = 5,
-};
+enum class serial_format : std::uint16_t { odd_8_1 = 2, even_8_1 = 3, none_8_1 = 4, none_8_2 = 5 };
 
 /// What switches to local control.
 enum class local_input : std::uint16_t {
@@ -38,29 +34,19 @@ enum class reference_channel : std::uint16_t {
 };
 
 /// Where commands come from.
-enum class command_channel : std::uint16_t {
-    ter = 1, loc = 2, lcc = 3, mdb = 10,
-};
+enum class command_channel : std::uint16_t { ter = 1, loc = 2, lcc = 3, mdb = 10 };
 
 /// Whether command and reference share a channel.
-enum class channel_mode : std::uint16_t {
-    sim = 1, sep = 2,
-};
+enum class channel_mode : std::uint16_t { sim = 1, sep = 2 };
 
 /// How the motor is stopped.
-enum class stop_mode : std::uint16_t {
-    rmp = 0, fst = 8, nst = 13,
-};
+enum class stop_mode : std::uint16_t { rmp = 0, fst = 8, nst = 13 };
 
 /// What a lost link does.
-enum class link_lost_reaction : std::uint16_t {
-    no = 0, yes = 1, lff = 4,
-};
+enum class link_lost_reaction : std::uint16_t { no = 0, yes = 1, lff = 4 };
 
 /// How the terminals command.
-enum class control_mode : std::uint16_t {
-    two_wire = 0, three_wire = 1,
-};
+enum class control_mode : std::uint16_t { two_wire = 0, three_wire = 1 };
 
 /// What the drive is doing.
 enum class product_state : std::uint16_t {
@@ -84,9 +70,7 @@ enum class rating : std::uint16_t {
 };
 
 /// The drive's supply.
-enum class mains : std::uint16_t {
-    no = 0, v110m = 1, v110t = 2, v220m = 3, v220t = 4,
-};
+enum class mains : std::uint16_t { no = 0, v110m = 1, v110t = 2, v220m = 3, v220t = 4 };
 // clang-format on
 
 } // namespace altivar::compact

@@ -147,23 +147,17 @@ inline constexpr choice state_word_7[]{
     {8, "transistor_alarm", "transistor temperature alarm"}, {11, "ai3_lost", "AI3 signal lost"},
 };
 // LRS8.
-inline constexpr choice state_word_8[]{
-    {9, "forced_local", "forced local control"}, {15, "ready", "drive ready"},
-};
+inline constexpr choice state_word_8[]{{9, "forced_local", "forced local control"}, {15, "ready", "drive ready"}};
 // Whose data the motor model uses.
 inline constexpr choice motor_model[]{
     {0, "tAb", "table values"}, {1, "MEAS", "measured values"}, {2, "CUS", "user values"},
 };
 // How much the inductances of a synchronous motor differ.
-inline constexpr choice saliency[]{
-    {0, "nO", "unknown"}, {1, "LLS", "low"}, {2, "MLS", "medium"}, {3, "HLS", "high"},
-};
+inline constexpr choice saliency[]{{0, "nO", "unknown"}, {1, "LLS", "low"}, {2, "MLS", "medium"}, {3, "HLS", "high"}};
 // The mains frequency that motors are rated for.
 inline constexpr choice motor_standard[]{{0, "50", "50 Hz"}, {1, "60", "60 Hz"}};
 // Whether the motor is measured, and the result dropped.
-inline constexpr choice tuning_order[]{
-    {0, "nO", "none"}, {1, "YES", "tune now"}, {2, "CLr", "erase the results"},
-};
+inline constexpr choice tuning_order[]{{0, "nO", "none"}, {1, "YES", "tune now"}, {2, "CLr", "erase the results"}};
 // When the motor is measured without being asked for.
 inline constexpr choice automatic_tuning[]{
     {0, "nO", "no"}, {1, "YES", "at each power-on"}, {2, "OnE", "at the first run order"},

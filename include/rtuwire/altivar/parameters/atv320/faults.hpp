@@ -81,9 +81,7 @@ inline constexpr choice ptc_mode[]{
     {3, "rS", "with the motor on"},
 };
 // Whether the drive has safety functions.
-inline constexpr choice safety_state[]{
-    {0, "Std", "standard drive"}, {1, "SAFE", "safety functions configured"},
-};
+inline constexpr choice safety_state[]{{0, "Std", "standard drive"}, {1, "SAFE", "safety functions configured"}};
 // The state of safely limited speed.
 inline constexpr choice sls_state[]{
     {0, "nO", "not configured"}, {1, "IdLE", "inactive"}, {2, "SS1", "safe ramp"},

@@ -26,9 +26,7 @@ inline constexpr choice ramp_adaptation[]{
 // DC injection at standstill.
 inline constexpr choice auto_injection[]{{0, "nO", "off"}, {1, "YES", "for a time"}, {2, "Ct", "continuous"}};
 // Where a speed set by two inputs is kept.
-inline constexpr choice speed_memory[]{
-    {0, "nO", "not stored"}, {1, "rAM", "in RAM"}, {2, "EEP", "in EEPROM"},
-};
+inline constexpr choice speed_memory[]{{0, "nO", "not stored"}, {1, "rAM", "in RAM"}, {2, "EEP", "in EEPROM"}};
 // How the load moves.
 inline constexpr choice brake_movement[]{{0, "HOr", "horizontal"}, {1, "VEr", "vertical"}};
 // Torque before the brake opens.
@@ -55,9 +53,7 @@ inline constexpr choice contactor[]{
     {0, "nO", "not assigned"}, {146, "r2", "R2"}, {129, "LO1", "LO1"}, {161, "dO1", "logic output on AO1"},
 };
 // How the ramp after a slowdown switch is found.
-inline constexpr choice slowdown_type[]{
-    {0, "Std", "by the ramp in use"}, {1, "OPt", "by the speed at the switch"},
-};
+inline constexpr choice slowdown_type[]{{0, "Std", "by the ramp in use"}, {1, "OPt", "by the speed at the switch"}};
 
 // Preset speeds, jogging and other references.
 inline constexpr parameter functions_speed[]{

@@ -35,9 +35,7 @@ inline constexpr choice io_assembly[]{
 // A switch.
 inline constexpr choice off_on[]{{0, "OFF", "off"}, {1, "On", "on"}};
 // What an analog input or output works with.
-inline constexpr choice analog_type[]{
-    {1, "10U", "0 to 10 V"}, {2, "0A", "current"}, {5, "n10U", "-10 to 10 V"},
-};
+inline constexpr choice analog_type[]{{1, "10U", "0 to 10 V"}, {2, "0A", "current"}, {5, "n10U", "-10 to 10 V"}};
 // The level of an output that is on.
 inline constexpr choice output_level[]{{0, "POS", "1 when active"}, {1, "nEG", "0 when active"}};
 // The range of an analog input.

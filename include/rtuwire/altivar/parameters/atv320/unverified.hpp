@@ -52,9 +52,7 @@ inline constexpr choice encoder_signals[]{{1, "AAbb", "A, /A, B, /B"}, {2, "Ab",
 // What an encoder is for.
 inline constexpr choice encoder_use[]{{0, "nO", "not used"}, {1, "SEC", "speed supervision"}};
 // Which data of the motor are given.
-inline constexpr choice motor_data_choice[]{
-    {0, "nPr", "rated power (NPR)"}, {1, "COS", "power factor (COS)"},
-};
+inline constexpr choice motor_data_choice[]{{0, "nPr", "rated power (NPR)"}, {1, "COS", "power factor (COS)"}};
 
 // What the drive shows.
 inline constexpr parameter unverified_monitoring[]{
