@@ -72,7 +72,7 @@ TRICKS = (
     inlining("inline", "client/line/transaction.hpp", "constexpr result<response> take_outcome("),
     inlining("inline", "client/line/transaction.hpp", "constexpr void wake("),
     inlining("inline", "client/line/request.hpp", "constexpr errc keep("),
-    inlining("inline", "client/line/quarantine.hpp", "constexpr bool covers("),
+    inlining("inline", "client/line/request.hpp", "constexpr bool covers("),
     inlining("not inline", "client/line/request.hpp", "constexpr void suspect("),
     inlining("not inline", "client/turns.hpp", "constexpr void renew("),
     Trick("words of a bank taken from a writer at once", "server/banks.hpp", (

@@ -12,7 +12,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/ask/access.hpp>
 #include <rtuwire/ask/words_read.hpp>
-#include <rtuwire/client/line/quarantine.hpp>
+#include <rtuwire/client/line/request.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/hex.hpp>
 

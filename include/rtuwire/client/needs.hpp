@@ -50,7 +50,7 @@ struct client_options {
     /// From the end of a broadcast to the next request; units need it to act (SL 2.4.1).
     duration turnaround{milliseconds(100)};
     /// How much longer than `response_timeout` any unit on the line may take to respond. A unit that failed to respond
-    /// in time gets no new request until all its outstanding responses must have come: client/line/quarantine.hpp
+    /// in time gets no new request until all its outstanding responses must have come: client/line/request.hpp
     /// derives how long that is. A response that takes longer than both together may be taken for the response to
     /// another request: RTU responses carry no number.
     duration late_response{milliseconds(200)};

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The times in which units are asked nothing new; the echo of a request; what a client does unless told.
-#include <rtuwire/client/line/quarantine.hpp>
+#include <rtuwire/client/line/request.hpp>
 
 #include <array>
 
 #include "support/proof.hpp"
 
 #include <rtuwire/client/client.hpp>
-#include <rtuwire/client/line/request.hpp>
 #include <rtuwire/client/needs.hpp>
 
 using namespace rtuwire;

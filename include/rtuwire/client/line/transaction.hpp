@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // One request of a client, from its start to its outcome (SL 2.4.1): silence before it, the bytes to send, their echo, the
-// response, repetitions, time limits. Knows no conversation. client/line/request.hpp has the table of its phases,
-// client/line/quarantine.hpp the rule how long a unit that did not respond in time gets no new request.
+// response, repetitions, time limits. Knows no conversation. client/line/request.hpp has its parts, the table of its phases, and
+// the rule how long a unit that did not respond in time gets no new request.
 #pragma once
 
 #include <array>
@@ -14,7 +14,6 @@
 #include <type_traits>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/client/line/quarantine.hpp>
 #include <rtuwire/client/line/request.hpp>
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/core/bytes.hpp>
@@ -416,7 +415,7 @@ private:
     }
 
     /// Ends the transaction. Where responses may still be on their way, its unit gets no new request until none can
-    /// be: client/line/quarantine.hpp gives the rule and its reasons.
+    /// be: client/line/request.hpp gives the rule and its reasons.
     constexpr void settle(errc error, instant now) noexcept
     {
         leave_begun();
