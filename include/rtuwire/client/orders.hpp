@@ -31,7 +31,6 @@
 
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/ask/unit_order.hpp>
-#include <rtuwire/client/order_places.hpp>
 #include <rtuwire/client/turns.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What a client knows of units that it has not commanded.
-#include <rtuwire/client/order_places.hpp>
+#include <rtuwire/ask/unit_order.hpp>
 
 #include <array>
 #include <bit>
