@@ -13,7 +13,7 @@
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/rtu/receive_from.hpp>
+#include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/wire/registers.hpp>
 

@@ -16,7 +16,6 @@
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/frames.hpp>
 #include <rtuwire/rtu/interrupt_queue.hpp>
-#include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/form/ascii.hpp>

@@ -6,7 +6,6 @@
 
 #include <rtuwire/frames.hpp>
 #include <rtuwire/rtu/interrupt_queue.hpp>
-#include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/blocking.hpp>
 #include <rtuwire/server/hooks.hpp>

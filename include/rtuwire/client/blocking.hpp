@@ -18,7 +18,7 @@
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/receive_from.hpp>
+#include <rtuwire/rtu/line.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {

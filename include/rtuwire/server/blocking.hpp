@@ -9,7 +9,7 @@
 #include <cstddef>
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/receive_from.hpp>
+#include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/units.hpp>
 
