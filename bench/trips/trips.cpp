@@ -85,7 +85,8 @@ int main()
     node.advance(instant{5'000});                                                     // hears from here on
     static_cast<void>(line.run(broadcast_setting<atv320::device, atv320::tto>(3_s))); // else it is not started
 
-    bool is_done = follow("ask", [&] { return line.ask(drive.unit(), request).has_value(); });
+    unit_id const unit = drive.unit();
+    bool is_done = follow("ask", [&] { return line.ask(unit, request).has_value(); });
     is_done &= follow("start", [&] {
         start go{drive, 50_Hz};
         return line.run(go).kind == outcome_kind::succeeded;
