@@ -25,8 +25,9 @@ NAMED_DRIVE = re.compile(r"\batv\d+\w*\b(?!\.hpp)")
 
 DRIVE_SPACE = re.compile(r"rtuwire::altivar::(atv\w+)")
 DEVICE = re.compile(r"device\w*")
-# A function is the class of its request, which has the rules of its frames and says what its response is.
-RULES = re.compile(r"\busing\s+response\b.*\bframe_rules\s+rules\b", re.DOTALL)
+# A function is the class of its request, which has the rules of its frames, by itself or as a lone_request, and says what
+# its response is.
+RULES = re.compile(r"\busing\s+response\b.*\bframe_rules\s+rules\b|\blone_request<.*\busing\s+response\b", re.DOTALL)
 
 # Every conversation that ends is used again there. What others derive from is tried as these; an endless one has a
 # `settled` that is never true.

@@ -108,11 +108,7 @@ template <typename Bytes = byte_view> struct raw_pdu {
         if (pdu.empty()) {
             return errc::wrong_length;
         }
-        raw_pdu<> const read{static_cast<function_code>(detail::to_u8(pdu[0])), pdu.subspan(1)};
-        if (errc const wrong = read.check(); wrong != errc::none) {
-            return wrong;
-        }
-        return read;
+        return detail::checked_pdu(raw_pdu<>{static_cast<function_code>(detail::to_u8(pdu[0])), pdu.subspan(1)});
     }
 };
 

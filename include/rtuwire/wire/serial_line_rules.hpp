@@ -88,6 +88,28 @@ template <function_code Code, std::uint8_t Request, std::uint8_t Response, answe
     static constexpr frame_rules rules{Request, Response, Answers};
 };
 
+/// What the requests have in common that are their function alone: they have no members.
+template <typename Request> struct lone_request {
+    static constexpr function_code code = function_row<Request>::code;
+    static constexpr frame_rules rules = function_row<Request>::rules;
+    static constexpr std::size_t max_size = 1;
+
+    [[nodiscard]] static constexpr errc check() noexcept { return errc::none; }
+    [[nodiscard]] static constexpr std::size_t size() noexcept { return max_size; }
+    static constexpr void write(byte_writer& out) noexcept { out.u8(to_u8(code)); }
+
+    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
+    [[nodiscard]] static constexpr result<Request> decode(byte_view pdu) noexcept
+    {
+        if (errc const wrong = check_size(pdu, code, max_size); wrong != errc::none) {
+            return wrong;
+        }
+        return Request{};
+    }
+
+    friend constexpr bool operator==(Request const&, Request const&) noexcept { return true; }
+};
+
 template <> struct function_row_of<read_exception_status> {
     using type = plain_row<function_code::read_exception_status, sized(length_rule::fixed, 4),
                            sized(length_rule::fixed, 5), answer_rule::nothing>;

@@ -170,12 +170,8 @@ struct read_device_identification {
         if (pdu.size() != max_size) {
             return errc::wrong_length;
         }
-        read_device_identification const read{static_cast<identification_access>(detail::to_u8(pdu[2])),
-                                              detail::to_u8(pdu[3])};
-        if (errc const wrong = read.check(); wrong != errc::none) {
-            return wrong;
-        }
-        return read;
+        return detail::checked_pdu(read_device_identification{static_cast<identification_access>(detail::to_u8(pdu[2])),
+                                                              detail::to_u8(pdu[3])});
     }
 
     friend constexpr bool operator==(read_device_identification const&, read_device_identification const&) = default;

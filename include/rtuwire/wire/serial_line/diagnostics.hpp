@@ -100,24 +100,8 @@ struct get_comm_event_counter_response {
 };
 
 /// Asks one unit how many requests it has executed; exceptions and requests of this function do not count.
-struct get_comm_event_counter {
+struct get_comm_event_counter : detail::lone_request<get_comm_event_counter> {
     using response = get_comm_event_counter_response;
-    static constexpr function_code code = detail::function_row<get_comm_event_counter>::code;
-    static constexpr detail::frame_rules rules = detail::function_row<get_comm_event_counter>::rules;
-    static constexpr std::size_t max_size = 1;
-
-    [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { out.u8(detail::to_u8(code)); }
-
-    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
-    [[nodiscard]] static constexpr result<get_comm_event_counter> decode(byte_view pdu) noexcept
-    {
-        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
-            return wrong;
-        }
-        return get_comm_event_counter{};
-    }
 
     /// Answers a request.
     /// Internal.
@@ -131,8 +115,6 @@ struct get_comm_event_counter {
         pdu.size = response::max_size;
         return errc::none;
     }
-
-    friend constexpr bool operator==(get_comm_event_counter const&, get_comm_event_counter const&) = default;
 };
 
 /// The response to function 12.
@@ -185,24 +167,8 @@ struct get_comm_event_log_response {
 };
 
 /// Asks one unit for its counters and the log of what happened on its line.
-struct get_comm_event_log {
+struct get_comm_event_log : detail::lone_request<get_comm_event_log> {
     using response = get_comm_event_log_response;
-    static constexpr function_code code = detail::function_row<get_comm_event_log>::code;
-    static constexpr detail::frame_rules rules = detail::function_row<get_comm_event_log>::rules;
-    static constexpr std::size_t max_size = 1;
-
-    [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { out.u8(detail::to_u8(code)); }
-
-    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
-    [[nodiscard]] static constexpr result<get_comm_event_log> decode(byte_view pdu) noexcept
-    {
-        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
-            return wrong;
-        }
-        return get_comm_event_log{};
-    }
 
     /// Answers a request.
     /// Internal.
@@ -216,8 +182,6 @@ struct get_comm_event_log {
         at.out.u16(at.line.message_count());
         return errc::none;
     }
-
-    friend constexpr bool operator==(get_comm_event_log const&, get_comm_event_log const&) = default;
 };
 
 } // namespace RTUWIRE_BUILD

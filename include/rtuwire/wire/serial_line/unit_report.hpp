@@ -42,24 +42,8 @@ struct read_exception_status_response {
 };
 
 /// Reads the eight exception status outputs of one unit, whose meaning its maker gives.
-struct read_exception_status {
+struct read_exception_status : detail::lone_request<read_exception_status> {
     using response = read_exception_status_response;
-    static constexpr function_code code = detail::function_row<read_exception_status>::code;
-    static constexpr detail::frame_rules rules = detail::function_row<read_exception_status>::rules;
-    static constexpr std::size_t max_size = 1;
-
-    [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { out.u8(detail::to_u8(code)); }
-
-    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
-    [[nodiscard]] static constexpr result<read_exception_status> decode(byte_view pdu) noexcept
-    {
-        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
-            return wrong;
-        }
-        return read_exception_status{};
-    }
 
     /// Whether a bank has what this function serves.
     /// Internal.
@@ -75,8 +59,6 @@ struct read_exception_status {
         pdu.size = response::max_size;
         return errc::none;
     }
-
-    friend constexpr bool operator==(read_exception_status const&, read_exception_status const&) = default;
 };
 
 /// The response to function 17. Where the identifier ends only its maker tells: the byte behind it is FF in a unit that
@@ -103,24 +85,8 @@ struct report_server_id_response {
 };
 
 /// Asks one unit what it is, and whether it runs.
-struct report_server_id {
+struct report_server_id : detail::lone_request<report_server_id> {
     using response = report_server_id_response;
-    static constexpr function_code code = detail::function_row<report_server_id>::code;
-    static constexpr detail::frame_rules rules = detail::function_row<report_server_id>::rules;
-    static constexpr std::size_t max_size = 1;
-
-    [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { out.u8(detail::to_u8(code)); }
-
-    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
-    [[nodiscard]] static constexpr result<report_server_id> decode(byte_view pdu) noexcept
-    {
-        if (errc const wrong = detail::check_size(pdu, code, max_size); wrong != errc::none) {
-            return wrong;
-        }
-        return report_server_id{};
-    }
 
     /// Whether a bank has what this function serves.
     /// Internal.
@@ -139,8 +105,6 @@ struct report_server_id {
         at.out.bytes(data);
         return at.out.ok() ? errc::none : errc::server_device_failure;
     }
-
-    friend constexpr bool operator==(report_server_id const&, report_server_id const&) = default;
 };
 
 } // namespace RTUWIRE_BUILD
