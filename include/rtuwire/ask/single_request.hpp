@@ -15,6 +15,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/serial_line_rules.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -154,9 +155,10 @@ public:
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
-        if constexpr (detail::checks_response<Request>) {
+        using row = detail::function_row<Request>;
+        if constexpr (detail::checks_response<row> or detail::has_own_format<Request>) {
             if (outcome and not outcome->pdu().empty()) { // it is after a broadcast
-                errc const wrong = Request::check_response(this->request_pdu(), outcome->pdu());
+                errc const wrong = row::check_response(this->request_pdu(), outcome->pdu());
                 if (wrong != errc::none) {
                     return this->settle(wrong);
                 }

@@ -209,11 +209,12 @@ concept has_response_check = requires(byte_view bytes)
         } -> std::same_as<errc>;
 };
 
-/// A request that knows more of its response than the client compares: its conversation asks `check_response` of it.
-template <typename Request>
-concept checks_response = has_response_check<Request> and not requires
+/// A function, by its row, that knows more of its response than the client compares: its conversation asks `check_response` of
+/// it.
+template <typename Row>
+concept checks_response = has_response_check<Row> and not requires
 {
-    requires Request::rules.answers == answer_rule::own;
+    requires Row::rules.answers == answer_rule::own;
 };
 
 /// What a rule says of a size, before one above 256 is refused. Two members: the size may be more than fits

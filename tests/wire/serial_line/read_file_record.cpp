@@ -65,7 +65,7 @@ STATIC_CHECK(told("14 05 05 06 12 34 56"_hex) == errc::malformed);    // a run w
 STATIC_CHECK(told("14 04 03 06 12"_hex) == errc::wrong_length and told("14"_hex) == errc::wrong_length);
 
 /// What a response is to the request of two runs.
-constexpr errc answer(byte_view pdu) { return read_file_record<>::check_response(asked, pdu); }
+constexpr errc answer(byte_view pdu) { return detail::function_row<read_file_record<>>::check_response(asked, pdu); }
 STATIC_CHECK(answer("14 0C 05 06 0D FE 00 20 05 06 33 CD 00 40"_hex) == errc::none);
 STATIC_CHECK(answer("14 0B 05 06 0D FE 00 20 05 06 33 CD 00"_hex) == errc::response_mismatch);
 STATIC_CHECK(answer("14 0A 05 06 0D FE 00 20 05 06 33 CD"_hex) == errc::response_mismatch);

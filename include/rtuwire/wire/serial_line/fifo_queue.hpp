@@ -75,13 +75,6 @@ struct read_fifo_queue {
         return read_fifo_queue{detail::u16_at(pdu, 1)};
     }
 
-    /// Whether a response's byte count and queue count agree, and no more than 31 registers came.
-    /// Internal.
-    [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
-    {
-        return detail::function_row<read_fifo_queue>::check_response(request_pdu, response_pdu);
-    }
-
     /// Whether a bank has what this function serves.
     /// Internal.
     template <typename Bank> static constexpr bool is_served_by = requires(Bank bank, byte_writer& out)

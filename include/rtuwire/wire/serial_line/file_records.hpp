@@ -294,13 +294,6 @@ template <typename Runs> struct read_file_record {
         }
     }
 
-    /// Whether a response has the records of each run of its request.
-    /// Internal.
-    [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
-    {
-        return detail::function_row<read_file_record<>>::check_response(request_pdu, response_pdu);
-    }
-
     /// Whether a bank has what this function serves.
     /// Internal.
     template <typename Bank> static constexpr bool is_served_by = detail::reads_files<Bank>;
