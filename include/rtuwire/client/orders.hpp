@@ -353,14 +353,17 @@ public:
         }
     }
 
-    /// Lets time pass. Returns whether a silence is over. `is_asked`: a request to `asked` has no outcome taken yet.
+    /// Lets time pass, from where stops that ended hold their units no longer. Returns whether a silence is over. `is_asked`: a
+    /// request to `asked` has no outcome taken yet.
     constexpr bool advance(instant now, bool is_asked, std::uint8_t asked) noexcept
     {
-        let_go_of_ended();
+        all_.let_go_if_over();
+        places_.others().let_go_if_over();
         wake_ = {};
         bool is_over = false;
         bool const is_all_left = all_.has_missed(now);
         for (unit_order& each : places_) {
+            each.let_go_if_over();
             bool const is_under_way = is_asked and (asked == each.unit or asked == 0);
             heed_gap(each, now, is_under_way);
             each.heed_absence(is_all_left, now);
@@ -535,16 +538,6 @@ private:
         unit_order const* const own = places_.find(who.whose_.byte());
         bool const stops_all = all_.stamp() != 0 and who.stamp_ == all_.stamp();
         return own != nullptr and own->is_held_by_another(who.stamp_) and not stops_all;
-    }
-
-    /// Stops that ended release their units.
-    constexpr void let_go_of_ended() noexcept
-    {
-        all_.let_go_if_over();
-        places_.others().let_go_if_over();
-        for (unit_order& each : places_) {
-            each.let_go_if_over();
-        }
     }
 
     /// Behind the count of the client that may have been in this place, of which `commander::known_` is asked. It begins with
