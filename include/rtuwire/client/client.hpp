@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The client's end of a line (SL 2.4.1): one request at a time, for any number of conversations. Owns neither the wire nor a
-// clock; knows of functions only what wire/response.hpp says. A client has the schedule of its conversations (client/turns.hpp),
-// in it the transaction, which runs the request under way and knows no conversation (client/line/transaction.hpp); and the
-// orders of those that command motors (client/orders.hpp). Here the three meet: a conversation that visits gets its outcome,
-// and leaves its next request where it is its turn and no order forbids it.
+// clock. A client has the schedule of its conversations (client/turns.hpp), in it the transaction, which runs the request under
+// way and knows no conversation (client/line/transaction.hpp); and the orders of those that command motors (client/orders.hpp).
+// Here the three meet: a conversation that visits gets its outcome, and leaves its next request where it is its turn and no
+// order forbids it.
 #pragma once
 
 #include <concepts>
@@ -27,9 +27,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/trace/observer.hpp>
-#include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/response.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire {
@@ -345,15 +343,7 @@ public:
     constexpr detail::turn_result ask(Conversation& conversation, instant now, retry_policy const& with) noexcept
     {
         static_assert(detail::has_what_it_declares<Conversation>());
-        static_assert(
-            detail::has_what_it_asks<typename needed::functions, Conversation>(),
-            "this client's list of functions lacks one that the conversation asks: add it to its client_needs");
-        static_assert(not detail::asks_usual_of_own<Conversation>(typename needed::functions{}),
-                      "this client asks a function of the conversation in a format of one's own: its usual form takes "
-                      "another client");
-        static_assert(detail::has_room_for<Needs, Conversation>(),
-                      "this client has no room for the longest frames of the conversation: give its client_needs a "
-                      "larger longest_frame");
+        static_assert(detail::has_all_for<Needs, Conversation>());
         if (conversation.settled() and not turns().is_last(conversation)) {
             return detail::turn_result::passed;
         }

@@ -194,6 +194,21 @@ template <auto const& Needs, typename Conversation> [[nodiscard]] consteval bool
     return true;
 }
 
+/// Whether a client has all that a conversation needs of it, as far as its type tells; what is missing is refused in a sentence.
+template <auto const& Needs, typename Conversation> [[nodiscard]] consteval bool has_all_for() noexcept
+{
+    using functions = typename told_by<Needs>::functions;
+    static_assert(has_what_it_asks<functions, Conversation>(),
+                  "this client's list of functions lacks one that the conversation asks: add it to its client_needs");
+    static_assert(not asks_usual_of_own<Conversation>(functions{}),
+                  "this client asks a function of the conversation in a format of one's own: its usual form takes "
+                  "another client");
+    static_assert(has_room_for<Needs, Conversation>(),
+                  "this client has no room for the longest frames of the conversation: give its client_needs a "
+                  "larger longest_frame");
+    return true;
+}
+
 /// The same needs, with another observer.
 template <auto const& Needs, typename Observer>
 inline constexpr auto observed_needs = told_by<Needs>::template with<Observer>(Needs.quarantine_places, Needs.motors);
