@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Numbers with a unit of measure. A quantity counts steps of a fixed size (`Scale`) of one dimension, in
+// Numbers with a unit of measure. A quantity counts steps of a fixed size (`Scale`) of one dimension (core/units.hpp), in
 // integers only. Conversion to a finer step is implicit, to a coarser one it is `truncated_to`; one dimension
 // never converts to another, and a plain number never to or from a quantity unless the unit is named.
 // Quantities of one dimension compare, add and subtract by value, whatever their steps and their width; an integer
@@ -24,78 +24,6 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
-
-/// What is measured. Each is a type without values.
-struct frequency {
-    static constexpr char symbol[] = "Hz";
-};
-struct rotation {
-    static constexpr char symbol[] = "rpm";
-};
-struct current {
-    static constexpr char symbol[] = "A";
-};
-struct voltage {
-    static constexpr char symbol[] = "V";
-};
-struct proportion {
-    static constexpr char symbol[] = "%";
-};
-struct time_span {
-    static constexpr bool is_time = true;
-    static constexpr char symbol[] = "s";
-};
-struct operating_time {
-    static constexpr char symbol[] = "h";
-};
-struct torque {
-    static constexpr char symbol[] = "Nm";
-};
-struct power {
-    static constexpr char symbol[] = "W";
-};
-struct electrical_energy {
-    static constexpr char symbol[] = "kWh";
-};
-struct temperature {
-    static constexpr char symbol[] = "°C";
-};
-/// From absolute zero, or a difference of two temperatures.
-struct absolute_temperature {
-    static constexpr char symbol[] = "K";
-};
-struct apparent_power {
-    static constexpr char symbol[] = "VA";
-};
-struct reactive_power {
-    static constexpr char symbol[] = "var";
-};
-struct apparent_energy {
-    static constexpr char symbol[] = "kVAh";
-};
-struct reactive_energy {
-    static constexpr char symbol[] = "kvarh";
-};
-struct pressure {
-    static constexpr char symbol[] = "bar";
-};
-struct volume {
-    static constexpr char symbol[] = "m3";
-};
-struct hourly_flow {
-    static constexpr char symbol[] = "m3/h";
-};
-/// 60 l/min are 3.6 m3/h: a step that has no digits of the other, so that each is measured by itself.
-struct flow_by_minute {
-    static constexpr char symbol[] = "l/min";
-};
-struct rate {
-    static constexpr char symbol[] = "1/s";
-};
-/// Plain numbers: addresses, counters, gains.
-struct dimensionless {
-    static constexpr char symbol[] = "";
-};
 
 namespace detail {
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Amounts by their step, and as they are written: `decihertz`, `50_Hz`. core/quantity.hpp says what a quantity is, how
-// it compares and how it computes.
+// What is measured; amounts by their step, and as they are written: `decihertz`, `50_Hz`. core/quantity.hpp says what a
+// quantity is, how it compares and how it computes.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,78 @@
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
+
+/// What is measured. Each is a type without values.
+struct frequency {
+    static constexpr char symbol[] = "Hz";
+};
+struct rotation {
+    static constexpr char symbol[] = "rpm";
+};
+struct current {
+    static constexpr char symbol[] = "A";
+};
+struct voltage {
+    static constexpr char symbol[] = "V";
+};
+struct proportion {
+    static constexpr char symbol[] = "%";
+};
+struct time_span {
+    static constexpr bool is_time = true;
+    static constexpr char symbol[] = "s";
+};
+struct operating_time {
+    static constexpr char symbol[] = "h";
+};
+struct torque {
+    static constexpr char symbol[] = "Nm";
+};
+struct power {
+    static constexpr char symbol[] = "W";
+};
+struct electrical_energy {
+    static constexpr char symbol[] = "kWh";
+};
+struct temperature {
+    static constexpr char symbol[] = "°C";
+};
+/// From absolute zero, or a difference of two temperatures.
+struct absolute_temperature {
+    static constexpr char symbol[] = "K";
+};
+struct apparent_power {
+    static constexpr char symbol[] = "VA";
+};
+struct reactive_power {
+    static constexpr char symbol[] = "var";
+};
+struct apparent_energy {
+    static constexpr char symbol[] = "kVAh";
+};
+struct reactive_energy {
+    static constexpr char symbol[] = "kvarh";
+};
+struct pressure {
+    static constexpr char symbol[] = "bar";
+};
+struct volume {
+    static constexpr char symbol[] = "m3";
+};
+struct hourly_flow {
+    static constexpr char symbol[] = "m3/h";
+};
+/// 60 l/min are 3.6 m3/h: a step that has no digits of the other, so that each is measured by itself.
+struct flow_by_minute {
+    static constexpr char symbol[] = "l/min";
+};
+struct rate {
+    static constexpr char symbol[] = "1/s";
+};
+/// Plain numbers: addresses, counters, gains.
+struct dimensionless {
+    static constexpr char symbol[] = "";
+};
 
 /// Register types, named by the step they count.
 using hertz = quantity<frequency, std::uint16_t>;
