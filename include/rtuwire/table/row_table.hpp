@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Rows as the registers of a device, for typed access: `read<parameter<"LFF">>(drive)`, by the mnemonic alone. A register
-// that has an object of its own, `atv320::acc`, is named by that. Rows that do not fit together do not compile, and the
-// compiler names the address.
+// that has an object of its own, `atv320::acc`, is named by that. table/row_check.hpp says which rows do not compile.
 #pragma once
 
 #include <array>
@@ -18,6 +17,7 @@
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/table/row.hpp>
+#include <rtuwire/table/row_check.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
 
@@ -47,17 +47,13 @@ template <typename Device, typename T> inline constexpr bool is_row_of = false;
 template <typename Device, typename T, register_space Space>
 inline constexpr bool is_row_of<Device, row_register<Device, T, Space>> = true;
 
-/// Whether two columns of rows say the same amount.
-[[nodiscard]] constexpr bool is_same_amount(parameter_type const& left, parameter_type const& right) noexcept
+/// Whether two columns of rows, of one word or of a form, say the same amount.
+template <typename Left, typename Right>
+[[nodiscard]] constexpr bool is_same_amount(Left const& left, Right const& right) noexcept
 {
-    return left.is_same(right);
-}
-[[nodiscard]] constexpr bool is_same_amount(form_type const& left, form_type const& right) noexcept
-{
-    return left.is_same(right);
-}
-template <typename Left, typename Right> [[nodiscard]] constexpr bool is_same_amount(Left const&, Right const&) noexcept
-{
+    if constexpr (std::is_same_v<Left, Right>) {
+        return left.is_same(right);
+    }
     return false;
 }
 
@@ -136,144 +132,6 @@ template <typename Row, std::size_t Size> struct row_of_list<Row[Size]> {
 /// Of some lists; they have one.
 template <auto const& First, auto const&...> struct row_of_lists : row_of_list<std::remove_cvref_t<decltype(First)>> {};
 
-/// The maps of a drive; none of a device whose lists are arrays.
-template <bool AreMaps, auto const&... Lists> [[nodiscard]] consteval auto maps_of() noexcept
-{
-    if constexpr (AreMaps) {
-        return std::array{&Lists...};
-    } else {
-        return std::array<int const*, 0>{};
-    }
-}
-
-/// No address.
-inline constexpr std::uint32_t no_row = 0xFFFF'FFFFU;
-
-/// The address of the first row that is wrong; `no_row` where none is.
-template <typename Table, typename IsWrong>
-[[nodiscard]] consteval std::uint32_t first_wrong_row(IsWrong const& is_wrong) noexcept
-{
-    std::uint32_t found = no_row;
-    Table::for_each_row([&](auto const& row) { found = found == no_row and is_wrong(row) ? row.address : found; });
-    return found;
-}
-
-/// The count that a number has as a floating point one.
-template <typename Real> [[nodiscard]] constexpr bool is_held_as(std::int64_t count) noexcept
-{
-    constexpr std::int64_t most = std::int64_t{1} << 62U;
-    return count >= -most and count <= most and static_cast<std::int64_t>(static_cast<Real>(count)) == count;
-}
-
-/// Whether a number of so many words, more than none, holds a count.
-[[nodiscard]] constexpr bool is_held_in(std::uint16_t words, bool is_signed, std::int64_t count) noexcept
-{
-    if (words > 3) {
-        return is_signed or count >= 0;
-    }
-    std::int64_t const values = std::int64_t{1} << (16U * words);
-    return is_signed ? count >= -(values / 2) and count < values / 2 : count >= 0 and count < values;
-}
-
-/// Whether what a row holds has a count as one of its values.
-template <typename Row> [[nodiscard]] constexpr bool is_held_by(Row const& row, std::int64_t count) noexcept
-{
-    if constexpr (not Row::is_plain) {
-        if (row.type.has_form() and row.type.form().is_bit) {
-            return count == 0 or count == 1;
-        }
-        if (row.type.has_form() and row.type.form().is_real) {
-            return row.type.form().word_count == 2 ? is_held_as<float>(count) : is_held_as<double>(count);
-        }
-        return is_held_in(row.word_count(), row.type->kind == parameter_kind::signed_number, count);
-    } else {
-        return is_held_in(1, row.type->kind == parameter_kind::signed_number, count);
-    }
-}
-
-template <typename Row> [[nodiscard]] constexpr bool has_limit_beyond_type(Row const& row) noexcept
-{
-    return (row.min.is_number() and not is_held_by(row, row.min.raw())) or
-           (row.max.is_number() and not is_held_by(row, row.max.raw()));
-}
-
-template <typename Row> [[nodiscard]] constexpr bool is_delivered_beyond_type(Row const& row) noexcept
-{
-    return row.factory and not is_held_by(row, *row.factory);
-}
-
-[[nodiscard]] constexpr bool has_reversed_limits(register_row const& row) noexcept
-{
-    return row.min.is_number() and row.max.is_number() and row.min.raw() > row.max.raw();
-}
-
-[[nodiscard]] constexpr bool is_delivered_wrong(register_row const& row) noexcept
-{
-    if (not row.factory) {
-        return false;
-    }
-    bool const is_listed = row.type->kind != parameter_kind::enumeration or
-                           has_meaning(row.choices(), static_cast<std::uint16_t>(*row.factory));
-    return not is_listed or is_delivered_beyond_type(row) or (row.min.is_number() and *row.factory < row.min.raw()) or
-           (row.max.is_number() and *row.factory > row.max.raw()) or row.gap.contains(*row.factory);
-}
-
-[[nodiscard]] constexpr bool is_of_another_kind(register_row const& row) noexcept
-{
-    bool const is_bit = row.type.has_form() and row.type.form().is_bit;
-    bool const is_read = row.kind.space == register_space::input or row.kind.space == register_space::discrete_input;
-    return is_space_of_bits(row.kind.space) != is_bit or (is_read and row.mode() != access::read_only);
-}
-
-/// Whether a word of bits has a name for one that no word has.
-template <typename Row> [[nodiscard]] constexpr bool has_bit_beyond_word(Row const& row) noexcept
-{
-    bool has_one = false;
-    if (row.type->kind == parameter_kind::bits) {
-        for (choice const& each : row.choices()) {
-            has_one = has_one or each.word > 15;
-        }
-    }
-    return has_one;
-}
-
-[[nodiscard]] constexpr bool has_one_choice_twice(register_row const& row) noexcept
-{
-    for (std::size_t i = 1; i < row.choices().size(); ++i) {
-        choice const& last = row.choices()[i];
-        for (choice const& each : row.choices().first(i)) {
-            if (each.word == last.word or (each.mnemonic == last.mnemonic and each.mnemonic.size() != 0)) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-} // namespace detail
-
-/// Never defined for an address: these names are the message, the argument is the row's.
-template <std::uint32_t Address> struct two_rows_have_this_address;
-template <std::uint32_t Address> struct two_rows_have_the_code_of_this_one;
-template <std::uint32_t Address> struct this_row_has_its_limits_reversed;
-template <std::uint32_t Address> struct this_row_has_a_limit_that_its_type_does_not_hold;
-template <std::uint32_t Address> struct this_row_is_delivered_with_a_value_that_it_does_not_take;
-template <std::uint32_t Address> struct this_row_holds_what_its_kind_cannot;
-template <std::uint32_t Address> struct this_row_has_one_choice_twice;
-template <std::uint32_t Address> struct this_row_has_a_bit_beyond_15;
-template <std::uint32_t Address> struct this_row_ends_behind_address_65535;
-template <> struct two_rows_have_this_address<detail::no_row> {};
-template <> struct two_rows_have_the_code_of_this_one<detail::no_row> {};
-template <> struct this_row_has_its_limits_reversed<detail::no_row> {};
-template <> struct this_row_has_a_limit_that_its_type_does_not_hold<detail::no_row> {};
-template <> struct this_row_is_delivered_with_a_value_that_it_does_not_take<detail::no_row> {};
-template <> struct this_row_holds_what_its_kind_cannot<detail::no_row> {};
-template <> struct this_row_has_one_choice_twice<detail::no_row> {};
-template <> struct this_row_has_a_bit_beyond_15<detail::no_row> {};
-template <> struct this_row_ends_behind_address_65535<detail::no_row> {};
-
-namespace detail {
-
 /// The addresses of some rows: holding registers of one word.
 template <typename Table, bool IsPlain> struct row_addresses {
     static constexpr std::size_t count = Table::size;
@@ -291,7 +149,7 @@ template <typename Table, bool IsPlain> struct row_addresses {
 template <typename Table> struct row_addresses<Table, false> {
     static constexpr std::uint32_t past_the_end = first_wrong_row<Table>(
         [](register_row const& row) { return std::uint32_t{row.address} + row.word_count() > 0x1'0000; });
-    static_assert(sizeof(this_row_ends_behind_address_65535<past_the_end>) > 0);
+    static_assert(is_no_row<this_row_ends_behind_address_65535, past_the_end>);
     static constexpr std::size_t count = [] {
         std::size_t words = 0;
         Table::for_each_row([&](register_row const& row) { words += row.word_count(); });
@@ -332,9 +190,6 @@ public:
 
     /// How many rows there are.
     static constexpr std::size_t size = (std::size(Lists) + ...);
-
-    /// The rows of a drive, by their groups.
-    static constexpr auto maps = detail::maps_of<row_type::is_plain, Lists...>();
 
     /// Whether there is a register at an address.
     [[nodiscard]] static constexpr bool has_address(std::uint16_t address,
@@ -450,51 +305,20 @@ private:
 
 namespace detail {
 
-/// What the rows of a device have to be; of a drive's, whose limits a test compares with its list, only that none is there
-/// twice, and that each is what a word holds.
-template <typename Table> struct row_check {
-    using row = typename Table::row_type;
-    static_assert(sizeof(two_rows_have_this_address<Table::address_taken()>) > 0);
-    static_assert(sizeof(two_rows_have_the_code_of_this_one<Table::code_taken()>) > 0);
-    static_assert(
-        sizeof(this_row_has_a_limit_that_its_type_does_not_hold<first_wrong_row<Table>(has_limit_beyond_type<row>)>) >
-        0);
-    static_assert(sizeof(this_row_is_delivered_with_a_value_that_it_does_not_take<
-                         first_wrong_row<Table>(is_delivered_beyond_type<row>)>) > 0);
-    static_assert(sizeof(this_row_has_a_bit_beyond_15<first_wrong_row<Table>(has_bit_beyond_word<row>)>) > 0);
-    static constexpr bool passed = true;
-};
-template <typename Table>
-    requires(not Table::row_type::is_plain)
-struct row_check<Table> {
-    static_assert(sizeof(two_rows_have_this_address<Table::address_taken()>) > 0);
-    static_assert(sizeof(two_rows_have_the_code_of_this_one<Table::code_taken()>) > 0);
-    static_assert(sizeof(this_row_has_a_limit_that_its_type_does_not_hold<
-                         first_wrong_row<Table>(has_limit_beyond_type<register_row>)>) > 0);
-    static_assert(sizeof(this_row_has_its_limits_reversed<first_wrong_row<Table>(has_reversed_limits)>) > 0);
-    static_assert(
-        sizeof(this_row_is_delivered_with_a_value_that_it_does_not_take<first_wrong_row<Table>(is_delivered_wrong)>) >
-        0);
-    static_assert(sizeof(this_row_holds_what_its_kind_cannot<first_wrong_row<Table>(is_of_another_kind)>) > 0);
-    static_assert(sizeof(this_row_has_one_choice_twice<first_wrong_row<Table>(has_one_choice_twice)>) > 0);
-    static_assert(sizeof(this_row_has_a_bit_beyond_15<first_wrong_row<Table>(has_bit_beyond_word<register_row>)>) > 0);
-    static constexpr bool passed = true;
-};
-
 /// What a row holds, as a type: an amount, bits by number, or an enumeration of its own.
 template <typename Called> struct row_value {
     enum class type : std::uint16_t {};
     friend consteval std::span<choice const> choices_beside(type) { return Called::row.choices(); }
 };
 
-/// The rows of a device are checked where one of them, or an object beside them, is first used; those of a drive, of which there may be a thousand,
-/// by `drive_check`.
+/// The rows of a device are checked where one of them, or an object beside them, is first used; those of a drive, of which
+/// there may be a thousand, by `drive_check`.
 template <typename Table> [[nodiscard]] consteval bool is_checked() noexcept
 {
     if constexpr (Table::row_type::is_plain) {
         return true;
     } else {
-        return row_check<Table>::passed;
+        return are_right_rows<Table>();
     }
 }
 
@@ -514,13 +338,10 @@ public:
 
 private:
     // The rows of a drive are checked one by one.
-    static_assert(sizeof(this_row_has_a_limit_that_its_type_does_not_hold < detail::has_limit_beyond_type(row)
-                             ? row.address
-                             : detail::no_row >) > 0);
-    static_assert(sizeof(this_row_is_delivered_with_a_value_that_it_does_not_take <
-                                 detail::is_delivered_beyond_type(row)
-                             ? row.address
-                             : detail::no_row >) > 0);
+    static_assert(is_no_row<this_row_has_a_limit_that_its_type_does_not_hold,
+                            (has_limit_beyond_type(row) ? std::uint32_t{row.address} : no_row)>);
+    static_assert(is_no_row<this_row_is_delivered_with_a_value_that_it_does_not_take,
+                            (is_delivered_wrong(row) ? std::uint32_t{row.address} : no_row)>);
 
     /// Of an amount that the device lists.
     template <typename Type> [[nodiscard]] static constexpr auto amount(Type const&) noexcept
@@ -536,30 +357,26 @@ private:
         static_assert(type < amounts::size, "the types of amounts of this device lack that of this row");
         return of<typename amounts::template at<type>>();
     }
+    /// Whether it is more, or less, than one word, as no row of a drive is.
+    static constexpr bool is_plain = std::remove_const_t<decltype(row)>::is_plain;
+    static constexpr bool has_form = [] {
+        if constexpr (is_plain) {
+            return false;
+        } else {
+            return row.type.has_form();
+        }
+    }();
     [[nodiscard]] static constexpr auto typed() noexcept
     {
-        if constexpr (not std::remove_const_t<decltype(row)>::is_plain) {
-            return wide();
-        } else {
-            return word();
-        }
-    }
-    [[nodiscard]] static constexpr auto wide() noexcept
-    {
-        if constexpr (not row.type.has_form()) {
-            return word();
-        } else if constexpr (row.type.form().is_bit) {
-            return of<bool>();
-        } else {
-            return amount(row.type.form());
-        }
-    }
-    [[nodiscard]] static constexpr auto word() noexcept
-    {
-        constexpr parameter_kind kind = row.type->kind;
-        if constexpr (kind == parameter_kind::bits) {
+        if constexpr (has_form) {
+            if constexpr (row.type.form().is_bit) {
+                return of<bool>();
+            } else {
+                return amount(row.type.form());
+            }
+        } else if constexpr (row.type->kind == parameter_kind::bits) {
             return of<flags<detail::bit_number>>();
-        } else if constexpr (kind == parameter_kind::enumeration) {
+        } else if constexpr (row.type->kind == parameter_kind::enumeration) {
             return of<typename row_value<row_named>::type>();
         } else {
             return amount(*row.type.operator->());
@@ -567,7 +384,7 @@ private:
     }
     [[nodiscard]] static constexpr register_space space() noexcept
     {
-        if constexpr (std::remove_const_t<decltype(row)>::is_plain) {
+        if constexpr (is_plain) {
             return register_space::holding;
         } else {
             return row.kind.space;

@@ -102,7 +102,7 @@ template <typename Device> [[nodiscard]] constexpr bool agrees_with_drive(parame
 template <detail::has_all_parts T>
     requires requires { T::registers::row_for(0); }
 inline constexpr bool has_rows_with_roles<T> = [] {
-    bool all = detail::row_check<typename T::registers>::passed;
+    bool all = detail::are_right_rows<typename T::registers>();
     for (row_demand const& each : row_demands<T>) {
         // GCC with -fsanitize=undefined compares no address of a constant, not even with null.
         all = all and (not T::registers::has_address(each.address) or
