@@ -230,6 +230,7 @@ TEST_CASE("a scale is exact, with a unit and what is added")
     CHECK(text("40:u64:0.00000001+0.00000001", {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}) == "184467440737.09551616");
     CHECK(text("40:bcd16:0.1", {0x0123}) == "12.3");
     CHECK(text("40:f32:0.001kV", {0x4366, 0x199A}) == "0.2301 kV");
+    CHECK(text("40:f64:0.1V", {0x4008, 0, 0, 0}) == "0.3 V");
 }
 
 TEST_CASE("a value that is typed is the registers that show it")
@@ -257,6 +258,10 @@ TEST_CASE("a value that is typed is the registers that show it")
         {"40:f64", "1.7976931348623157e308", "1.7976931348623157e+308", {0x7FEF, 0xFFFF, 0xFFFF, 0xFFFF}},
         {"40:f64", "0", "0", {0, 0, 0, 0}},
         {"40:f64", "-1.5", "-1.5", {0xBFF8, 0, 0, 0}},
+        {"40:f64:0.1", "0.3", "0.3", {0x4008, 0, 0, 0}},
+        {"40:f64:0.0002V", "-903.56V", "-903.56 V", {0xC151, 0x3BEA, 0, 0}},
+        {"40:f64:0.0001+0.5", "530.06", "530.06", {0x4154, 0x337C, 0, 0}},
+        {"40:f64:cdab:0.0025kWh", "-262.65", "-262.65 kWh", {0, 0, 0xA640, 0xC0F9}},
         {"40:u16", "65535", "65535", {0xFFFF}},
         {"40:i16", "-2", "-2", {0xFFFE}},
         {"40:u32:cdab", "131073", "131073", {0x0001, 0x0002}},

@@ -90,10 +90,7 @@ formed_value scaled(wide count, value_form const& form)
     return {number_in(text), with_unit(text, form.unit)};
 }
 
-double factor_of(short_decimal const& number)
-{
-    return static_cast<double>(number.digits) / static_cast<double>(power_of_ten(number.places));
-}
+long double power_of(short_decimal const& number) { return static_cast<long double>(power_of_ten(number.places)); }
 
 /// A number with the fewest digits that mean it, or with so many.
 template <typename Number> std::string shortest(Number value, int digits)
@@ -114,9 +111,10 @@ template <typename Number> formed_value floating(Number value, value_form const&
         return {{}, value < 0 ? "below any number" : "above any number"};
     }
     bool const is_scaled = form.factor != short_decimal{1, 0} or form.offset != short_decimal{0, 0};
-    double const amount = static_cast<double>(value) * factor_of(form.factor) + factor_of(form.offset);
-    std::string const text =
-        is_scaled ? shortest(amount, std::numeric_limits<Number>::digits10 + 1) : shortest(value, 0);
+    auto const amount = static_cast<double>(amount_of(form, static_cast<long double>(value)));
+    // The double nearest to an amount is shown by its fewest digits; the error of a float is larger than the last of these.
+    constexpr int digits = sizeof(Number) == sizeof(double) ? 0 : std::numeric_limits<Number>::digits10 + 1;
+    std::string const text = is_scaled ? shortest(amount, digits) : shortest(value, 0);
     return {number_in(text), with_unit(text, form.unit)};
 }
 
@@ -172,6 +170,18 @@ formed_value bits_value(place const& where, std::uint16_t word)
 }
 
 } // namespace
+
+long double amount_of(value_form const& form, long double count)
+{
+    return count * static_cast<long double>(form.factor.digits) / power_of(form.factor) +
+           static_cast<long double>(form.offset.digits) / power_of(form.offset);
+}
+
+long double count_of(value_form const& form, long double amount)
+{
+    return (amount - static_cast<long double>(form.offset.digits) / power_of(form.offset)) * power_of(form.factor) /
+           static_cast<long double>(form.factor.digits);
+}
 
 std::uint64_t bits_of(place const& where, std::span<std::uint16_t const> words)
 {

@@ -32,6 +32,11 @@ struct words_typed {
 };
 [[nodiscard]] words_typed words_for(place const& where, std::string_view text);
 
+/// What a number with a point means in its unit, and back. With more digits than its type has, and by the whole numbers of a
+/// scale: 0.3 in steps of 0.1 is 3, not what lies just below it.
+[[nodiscard]] long double amount_of(value_form const& form, long double count);
+[[nodiscard]] long double count_of(value_form const& form, long double amount);
+
 /// All bits of a number of up to four registers, its highest byte first; of a bit or some bits of a register these.
 [[nodiscard]] std::uint64_t bits_of(place const& where, std::span<std::uint16_t const> words);
 

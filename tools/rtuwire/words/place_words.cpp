@@ -291,25 +291,20 @@ bool is_as_typed(double held, std::string_view typed)
 
 template <typename Number> words_typed words_of_float(place const& where, std::string_view number)
 {
-    auto const decimal = [](short_decimal const& one) {
-        return static_cast<double>(one.digits) / static_cast<double>(power(one.places));
-    };
     value_form const& form = where.form;
-    double amount = 0;
+    long double amount = 0;
     auto const read = std::from_chars(number.data(), number.data() + number.size(), amount);
-    double const scaled = (amount - decimal(form.offset)) / decimal(form.factor);
+    long double const scaled = count_of(form, amount);
     bool const is_beyond =
         read.ec != std::errc{} and not digits_of(number).digits.empty() and digits_of(number).power > 0;
     // The greatest number, written with few digits, may be above it.
-    constexpr auto greatest = static_cast<double>((std::numeric_limits<Number>::max)());
-    constexpr double half_a_step = sizeof(Number) == 4 ? 0x1p103 : 0.0;
+    constexpr auto greatest = static_cast<long double>((std::numeric_limits<Number>::max)());
+    constexpr long double half_a_step = sizeof(Number) == 4 ? 0x1p103L : 0.0L;
     if (is_beyond or not(std::abs(scaled) < greatest + half_a_step or std::abs(scaled) <= greatest)) {
         return {.wrong = "more than its type holds"};
     }
     auto const held = static_cast<Number>(std::clamp(scaled, -greatest, greatest));
-    double const shown = form.factor == short_decimal{1, 0} and form.offset == short_decimal{}
-                             ? static_cast<double>(held)
-                             : static_cast<double>(held) * decimal(form.factor) + decimal(form.offset);
+    auto const shown = static_cast<double>(amount_of(form, static_cast<long double>(held)));
     words_typed typed;
     if constexpr (sizeof(Number) == 4) {
         typed = words_of_bits(form, std::bit_cast<std::uint32_t>(held));
