@@ -26,10 +26,11 @@ packages_of() {
         docs) echo doxygen doxygen-awesome-css graphviz g++ clang python3 ;;
         playground) echo clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 ;;
         browser) echo chromium nodejs npm ;;
+        npm) echo nodejs npm ;;
         newcomer) echo debootstrap ;;
         cache) echo ccache ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool arm emulator clang afl bench portability avr packaging style docs playground browser newcomer cache" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool arm emulator clang afl bench portability avr packaging style docs playground browser npm newcomer cache" >&2
             return 1
             ;;
     esac

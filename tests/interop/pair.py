@@ -73,11 +73,12 @@ class Programs:
         return ends
 
     def serve(self, device, command, **how):
-        """A server of that device, once it says that it is ready."""
+        """A server of that device, once it says that it is ready, which is returned."""
         server = self.start(on(device, command), stdout=subprocess.PIPE, **how)
         heard, _, _ = select.select([server.stdout], [], [], READY_LIMIT)
         if not heard or server.stdout.readline().strip() != "ready":
             raise RuntimeError("the server is not ready")
+        return server
 
     def device_server(self, port):
         """A TCP port on one side, a line on the other; its far end is returned. socat opens its second side only when
