@@ -91,7 +91,9 @@ byte_list pdu_in(std::vector<std::string> const& words)
 byte_list frame_of(std::byte unit, rtuwire::byte_view pdu)
 {
     byte_list frame{unit};
-    frame.insert(frame.end(), pdu.begin(), pdu.end());
+    for (std::byte const each : pdu) { // GCC 12 takes an insert behind the first byte for one beyond the end
+        frame.push_back(each);
+    }
     unsigned const crc = rtuwire::crc16(frame);
     frame.push_back(static_cast<std::byte>(crc & 0xFFU));
     frame.push_back(static_cast<std::byte>(crc >> 8U));
