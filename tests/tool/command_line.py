@@ -9,7 +9,7 @@ import re
 import shutil
 import subprocess
 
-from support import DONE, NO_ANSWER, PORT, USAGE, Tool, runs
+from support import DONE, NO_ANSWER, PORT, USAGE, Line, Tool, runs
 
 CABINET = "sim:atv320:7,atv12:3"
 
@@ -229,6 +229,16 @@ def check_times(tool, check):
         check(ended.status == USAGE and "--every" in ended.errors, f"--every={each} is refused", ended)
 
 
+def check_rs485(tool, check):
+    """Said of what has no transceiver it is refused, before a frame leaves."""
+    ended = tool.run("--port", CABINET, "-u", "7", "--rs485", "read", "RFR")
+    check(ended.status == USAGE and "no serial device" in ended.errors, "--rs485 behind sim:", ended)
+    with Line() as line:
+        ended = tool.run("--port", line.name, "--no-listen", "-u", "7", "--rs485", "read", "40")
+        check(ended.status == PORT and "does not switch an RS-485 transceiver" in ended.errors and not line.heard,
+              "--rs485 of a driver that cannot", ended)
+
+
 def check_stop(tool, check):
     for words, is_told in (([], True), (["-u", "1"], False)):
         ended = tool.run("--port", CABINET, "--timeout", "0.05", *words, "stop")
@@ -257,7 +267,7 @@ def main(check, program):
             ended = tool.run(*words)
             is_named = ended.errors.startswith("rtuwire: ") and all(part in ended.errors for part in parts)
             check(ended.status == USAGE and not ended.output and is_named, f"{words} is refused", ended)
-        for part in (check_help, check_completion, check_configuration, check_times, check_stop, check_stop_beside):
+        for part in (check_help, check_completion, check_configuration, check_times, check_rs485, check_stop, check_stop_beside):
             part(tool, check)
 
 

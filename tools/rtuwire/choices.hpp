@@ -38,6 +38,7 @@ struct line_choices {
     unsigned retries{1};
     unsigned pause{0};             ///< milliseconds of silence before a request, where that is more than the line's
     bool has_echo{false};          ///< the line gives back what is sent
+    bool must_switch_rs485{false}; ///< the driver switches the transceiver
     unsigned noise{0};             ///< bytes in front of a response that are skipped
     bool may_be_any_unit{false};   ///< 248 to 255, too
     bool is_verbose{false};        ///< each frame is shown on the standard error

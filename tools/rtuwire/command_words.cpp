@@ -61,6 +61,8 @@ void add_line_options(CLI::App& app, line_choices& line)
         ->check(CLI::Range(0, 3'000))
         ->capture_default_str();
     app.add_flag("--echo", line.has_echo, "the line gives back what is sent");
+    app.add_flag("--rs485", line.must_switch_rs485,
+                 "the driver of the port switches the transceiver's direction: of a UART, not of a USB adapter");
     app.add_option("--noise", line.noise, "so many bytes in front of a response are skipped")
         ->check(CLI::Range(0, 8))
         ->capture_default_str();

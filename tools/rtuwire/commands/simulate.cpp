@@ -130,7 +130,7 @@ exit_status serve_on_device(choices const& chosen, std::vector<simulated_drive_c
     auto const set = setting_in(chosen.line);
     std::string const device = device_in(chosen.line.port);
     rtuwire::posix_serial port;
-    exit_status const status = port.open(device, {.bits_per_second = set.baud, .format = set.format})
+    exit_status const status = port.open(device, serial_settings_in(chosen.line, set))
                                    ? serve(port, device, line_timing::host(set.baud, set.format), drives, chosen.vendor)
                                    : exit_status::port;
     if (not port.failure().empty()) {

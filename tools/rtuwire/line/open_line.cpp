@@ -64,12 +64,22 @@ any_port open_port(line_choices const& chosen, line_setting const& how)
         refuse_word(file->path +
                     " is a capture, in which nobody answers: sniff, replay, timing and decode show what it holds");
     }
+    if (chosen.must_switch_rs485 and not std::holds_alternative<serial_device>(which.port)) {
+        refuse_word("--rs485: " + chosen.port + " is no serial device, whose driver could switch a transceiver");
+    }
     any_port port;
-    if (not port.open(which.port, {.bits_per_second = how.baud, .format = how.format})) {
+    if (not port.open(which.port, serial_settings_in(chosen, how))) {
         throw ended{exit_status::port, port.failure()};
     }
     port.keep_pause(rtuwire::milliseconds(chosen.pause));
     return port;
+}
+
+rtuwire::serial_settings serial_settings_in(line_choices const& chosen, line_setting const& how)
+{
+    rtuwire::serial_settings settings{.bits_per_second = how.baud, .format = how.format};
+    settings.rs485 = chosen.must_switch_rs485 ? rtuwire::rs485_mode::required : rtuwire::rs485_mode::leave;
+    return settings;
 }
 
 line_setting setting_in(line_choices const& line) { return {baud_in(line.baud), format_in(line.format)}; }
