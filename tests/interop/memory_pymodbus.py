@@ -45,7 +45,7 @@ async def serve(device, first, count):
         return ModbusSequentialDataBlock(int(first), [value] * int(count))
     unit = ModbusSlaveContext(hr=block(0), ir=block(0), co=block(False), di=block(False), zero_mode=True)
     # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
-    server = await StartAsyncSerialServer(ModbusServerContext(slaves={1: unit}, single=False), framer=ModbusRtuFramer,
+    server = await StartAsyncSerialServer(ModbusServerContext(slaves={1: unit, 2: unit}, single=False), framer=ModbusRtuFramer,
                                           port=device, baudrate=115200, parity="N", stopbits=1,
                                           identity=ModbusDeviceIdentification(info={0: "pymodbus", 1: "memory", 2: "1"}),
                                           ignore_missing_slaves=True, defer_start=True)
