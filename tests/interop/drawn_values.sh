@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 # Drawn values of every type, read and written by the tool, against the memory of four servers of others: libmodbus, pymodbus,
-# and modbus-serial and jsmodbus of npm. Installs what it needs.
+# and modbus-serial and jsmodbus of npm; and ten times as many drawn command lines. Installs what it needs.
 #
 #   sh tests/interop/drawn_values.sh [COUNT [SEED]]
 set -eu
@@ -26,6 +26,8 @@ for server in "build/release/tests/interop/memory_libmodbus" "/usr/bin/python3 -
     NODE_PATH=$packages/node_modules /usr/bin/python3 -B tests/tool/drawn_values.py \
         build/release/tools/rtuwire/rtuwire "$count" "$seed" $server || failed="$failed; $server"
 done
+printf '\n== command lines ==\n'
+/usr/bin/python3 -B tests/tool/drawn_lines.py build/release/tools/rtuwire/rtuwire "${count}0" "$seed" || failed="$failed; command lines"
 [ -z "$failed" ] || {
     echo "FAILED:$failed" >&2
     exit 1
