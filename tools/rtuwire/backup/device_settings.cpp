@@ -50,7 +50,7 @@ std::string raw_text(std::span<std::uint16_t const> words)
 
 std::optional<std::vector<std::uint16_t>> words_of_raw(place const& where, std::string_view text)
 {
-    std::size_t const size = where.is_single_bit() ? 1 : where.form.registers();
+    std::size_t const size = where.size();
     bool const is_hex = text.starts_with("0x") or text.starts_with("0X");
     std::string_view const digits = text.substr(is_hex ? 2 : 0);
     std::vector<std::uint16_t> words;
@@ -177,7 +177,7 @@ private:
     {
         auto words = words_of_raw(named.where, raw.text);
         if (not words) {
-            std::size_t const size = named.where.is_single_bit() ? 1 : named.where.form.registers();
+            std::size_t const size = named.where.size();
             refuse(raw.place, named.where.name + ": '" + raw.text + "' is no raw count: " +
                                   (size == 1 ? "a whole number from 0 to 65535, of a coil 0 or 1"
                                              : "0x and " + std::to_string(4 * size) + " hexadecimal digits"));

@@ -287,9 +287,8 @@ private:
     /// A value comes by one response.
     void check_size(toml::table const& from, named_place const& one) const
     {
-        bool const is_one = one.where.is_single_bit() or one.where.bit >= 0;
-        if (not is_one and one.where.form.registers() > found_.max_registers.value_or(one.where.form.registers())) {
-            refuse(from.get("type")->source(), one.where.name + " has " + std::to_string(one.where.form.registers()) +
+        if (one.where.size() > found_.max_registers.value_or(one.where.size())) {
+            refuse(from.get("type")->source(), one.where.name + " has " + std::to_string(one.where.size()) +
                                                    " registers, and max_registers is " +
                                                    std::to_string(*found_.max_registers));
         }
@@ -475,9 +474,7 @@ private:
     /// Two names for one register contradict each other, or one of them is wrong.
     void check_overlap(toml::table const& from, named_place const& one)
     {
-        bool const is_bit = one.where.is_single_bit() or one.where.bit >= 0;
-        unsigned const count = is_bit ? 1U : one.where.form.registers();
-        for (unsigned each = one.where.address; each < one.where.address + count; ++each) {
+        for (unsigned each = one.where.address; each < one.where.address + unsigned{one.where.size()}; ++each) {
             std::vector<std::size_t>& here = taken_[{one.where.space, each}];
             for (std::size_t const other : here) {
                 named_place const& before = found_.places[other];

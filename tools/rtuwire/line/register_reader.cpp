@@ -58,8 +58,7 @@ held_words read_run(open_line& line, rtuwire::unit_id unit, register_space space
 
 held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where)
 {
-    return read_run(line, unit, where.space, where.address,
-                    where.is_single_bit() ? std::uint16_t{1} : where.form.registers());
+    return read_run(line, unit, where.space, where.address, where.size());
 }
 
 register_reader::register_reader(std::vector<chosen_register> const& chosen, vocabulary const& known)
@@ -79,11 +78,7 @@ register_reader::register_reader(std::vector<chosen_register> const& chosen, voc
     }
 }
 
-register_reader::run register_reader::run_of(place const& where)
-{
-    bool const is_one = where.is_single_bit() or where.bit >= 0;
-    return {where.space, where.address, is_one ? std::uint16_t{1} : where.form.registers()};
-}
+register_reader::run register_reader::run_of(place const& where) { return {where.space, where.address, where.size()}; }
 
 /// From the first to the last of them; runs may overlap.
 register_reader::run register_reader::whole(block const& which)

@@ -26,7 +26,7 @@ public:
     explicit device_memory(named_places const& of) : of_{of}
     {
         for (named_place const& each : of.places) {
-            for (std::size_t i = 0; i < size_of(each); ++i) {
+            for (std::size_t i = 0; i < each.where.size(); ++i) {
                 words_.try_emplace(key(each.where.space, each.where.address + i), std::uint16_t{0});
             }
             if (not each.simulated.empty()) {
@@ -53,7 +53,7 @@ public:
     std::vector<std::uint16_t> words_of(named_place const& named) const
     {
         std::vector<std::uint16_t> words;
-        for (std::size_t i = 0; i < size_of(named); ++i) {
+        for (std::size_t i = 0; i < named.where.size(); ++i) {
             words.push_back(get(named.where.space, named.where.address + i));
         }
         return words;
@@ -75,7 +75,7 @@ public:
         errc wrong = check_read(space, start, words.size());
         for (named_place const& each : of_.places) {
             bool const is_met = each.where.space == space and each.where.address < start + words.size() and
-                                start < each.where.address + size_of(each);
+                                start < each.where.address + each.where.size();
             if (is_met and not each.is_writable) {
                 return errc::illegal_data_address;
             }
@@ -88,11 +88,6 @@ public:
 private:
     using place_key = std::pair<register_space, std::size_t>;
     static place_key key(register_space space, std::size_t address) { return {space, address}; }
-
-    static std::size_t size_of(named_place const& named)
-    {
-        return named.where.is_single_bit() or named.where.bit >= 0 ? 1U : named.where.form.registers();
-    }
 
     bool may_become(named_place const& named, std::size_t start, std::vector<std::uint16_t> const& words) const
     {

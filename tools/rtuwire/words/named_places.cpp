@@ -10,17 +10,12 @@ namespace {
 
 constexpr std::size_t longest_name = 40;
 
-unsigned size_of(place const& where) noexcept
-{
-    return where.is_single_bit() or where.bit >= 0 ? 1U : where.form.registers();
-}
-
 } // namespace
 
 bool overlap(place const& one, place const& other) noexcept
 {
-    bool const shares = one.space == other.space and one.address < other.address + size_of(other) and
-                        other.address < one.address + size_of(one);
+    bool const shares = one.space == other.space and one.address < other.address + other.size() and
+                        other.address < one.address + one.size();
     return shares and (one.address != other.address or (one.mask() & other.mask()) != 0);
 }
 

@@ -462,6 +462,8 @@ private:
 
 } // namespace
 
+std::uint16_t place::size() const noexcept { return is_single_bit() or bit >= 0 ? std::uint16_t{1} : form.registers(); }
+
 std::uint16_t place::mask() const noexcept
 {
     if (bit < 0) {

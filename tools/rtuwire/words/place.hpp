@@ -58,6 +58,8 @@ struct place {
 
     /// Coils and discrete inputs.
     [[nodiscard]] bool is_single_bit() const noexcept { return space >= register_space::coil; }
+    /// Its registers; of a bit, or bits of a register, 1.
+    [[nodiscard]] std::uint16_t size() const noexcept;
     /// The bits of its first register that are its own.
     [[nodiscard]] std::uint16_t mask() const noexcept;
 
