@@ -27,7 +27,7 @@ for source in docs/playground/module/drives.cpp docs/playground/module/[!d]*.cpp
     tools/rtuwire/catalog/value_text.cpp tools/rtuwire/words/words.cpp \
     tools/rtuwire/frame/damage.cpp tools/rtuwire/frame/decode.cpp tools/rtuwire/frame/frame_fields.cpp \
     tools/rtuwire/frame/frame_fit.cpp tools/rtuwire/frame/frame_layouts.cpp tools/rtuwire/frame/frame_split.cpp tools/rtuwire/frame/function_text.cpp \
-    tools/rtuwire/frame/hex_text.cpp tools/rtuwire/frame/request_layout.cpp tools/rtuwire/frame/response_layout.cpp \
+    tools/rtuwire/frame/hex_text.cpp tools/rtuwire/frame/register_names.cpp tools/rtuwire/frame/request_layout.cpp tools/rtuwire/frame/response_layout.cpp \
     tools/rtuwire/frame/shared_layout.cpp tools/rtuwire/frame/summary.cpp; do
     echo "-c $source -o $objects/$(basename "$source" .cpp).o"
 done | xargs -P "$(nproc)" -L 1 $compile

@@ -12,10 +12,12 @@
 
 #include "support/catch.hpp"
 
+#include "device/register_file.hpp"
 #include "exit_status.hpp"
 #include "frame/function_text.hpp"
 #include "frame/hex_lines.hpp"
 #include "frame/hex_text.hpp"
+#include "frame/names_by_file.hpp"
 
 namespace {
 
@@ -53,7 +55,11 @@ bytes operator+(bytes left, bytes const& right)
 
 std::vector<tool::decoded_frame> decoded(bytes const& run, std::string_view drive = "")
 {
-    return tool::frame_decoder{drive.empty() ? nullptr : tool::catalog_named(drive)}.decode(run);
+    if (drive.empty()) {
+        return tool::frame_decoder{nullptr}.decode(run);
+    }
+    tool::names_by_drive const names{*tool::catalog_named(drive)};
+    return tool::frame_decoder{&names}.decode(run);
 }
 
 /// "offset+length name: value; ..." of the fields between unit and CRC.
@@ -163,7 +169,66 @@ TEST_CASE("what may be a request and a response is told as both, but for the res
     auto const pair = decoded(framed({1, 1, 0, 30, 0, 20}) + either);
     REQUIRE(pair.size() == 2);
     REQUIRE(pair[1].readings.size() == 1);
-    CHECK(value_of(pair[1].readings[0], "coils 46 to 53") == "0 0 1 0 1 0 0 0");
+    CHECK(value_of(pair[1].readings[0], "coils 46 to 49") == "0 0 1 0"); // the other bits fill the byte
+}
+
+TEST_CASE("a register file names what passed, by the request of a response, and shows no part of a value as one")
+{
+    tool::named_places const file = tool::read_register_file("t.toml", R"([[register]]
+name = "count"
+address = 100
+type = "u64"
+order = "cdab"
+[[register]]
+name = "label"
+space = "input"
+address = 7
+type = "text6"
+[[register]]
+name = "door"
+space = "discrete"
+address = 9
+choices = { shut = 0, ajar = 1 }
+)");
+    tool::names_by_file const names{file};
+    tool::frame_decoder decoder{&names};
+    auto const told_of = [&](bytes const& run) { return told(decoder.decode(run).back().readings.back()); };
+    bytes const asked = framed({61, 3, 0, 100, 0, 4});
+    bytes const count = framed({61, 3, 8, 0, 4, 0, 3, 0, 2, 0, 1});
+    CHECK(told_of(asked) == "request; 2+2 first register: 100 (count); 4+2 quantity: 4");
+    CHECK(told_of(count) == "response; 2+1 byte count: 8; 3+8 registers 100 to 103 count: 281483566841860");
+    CHECK(told_of(framed({61, 3, 0, 101, 0, 2}) + framed({61, 3, 4, 0, 3, 0, 2})) ==
+          "response; 2+1 byte count: 4; 3+4 registers 101 to 102 count: no value: 0x00030002 is registers 2 to 3 of "
+          "its 4");
+    CHECK(told_of(framed({61, 3, 0, 103, 0, 2}) + framed({61, 3, 4, 0, 1, 0, 9})) ==
+          "response; 2+1 byte count: 4; 3+2 register 103 count: no value: 0x0001 is register 4 of its 4; 5+2 register "
+          "104: 9");
+    CHECK(told_of(framed({61, 3, 0, 99, 0, 2}) + framed({61, 3, 4, 0, 9, 0, 4})) ==
+          "response; 2+1 byte count: 4; 3+2 register 99: 9; 5+2 register 100 count: no value: 0x0004 is register 1 of "
+          "its 4");
+    CHECK(told_of(framed({61, 4, 0, 7, 0, 3}) + framed({61, 4, 6, 'A', 'b', 'c', 0, 0, 0})) ==
+          "response; 2+1 byte count: 6; 3+6 registers 7 to 9 label: Abc");
+    CHECK(told_of(framed({61, 2, 0, 8, 0, 2}) + framed({61, 2, 1, 0xFE})) ==
+          "response; 2+1 byte count: 1; 3+1 discrete inputs 8 to 9: 0 1; 3+1 discrete input 9 door: ajar (1)");
+    CHECK(told_of(framed({61, 16, 0, 100, 0, 2, 4, 0, 4, 0, 3})) ==
+          "request; 2+2 first register: 100 (count); 4+2 quantity: 2; 6+1 byte count: 4; "
+          "7+4 registers 100 to 101 count: no value: 0x00040003 is registers 1 to 2 of its 4");
+
+    std::string const unnamed = "response; 2+1 byte count: 8; 3+2 register no. 1 of 4: 4; 5+2 register no. 2 of 4: 3; "
+                                "7+2 register no. 3 of 4: 2; "
+                                "9+2 register no. 4 of 4: 1";
+    CHECK(told_of(count) == unnamed);
+    CHECK(told_of(asked + framed({61, 3, 4, 0, 4, 0, 3})) ==
+          "response; 2+1 byte count: 4; 3+2 register no. 1 of 2: 4; 5+2 register no. 2 of 2: 3"); // another count
+    CHECK(told_of(framed({60, 3, 0, 100, 0, 4}) + count) == unnamed);
+
+    // Of a capture it is known which request was answered, be it late and behind another.
+    static_cast<void>(decoder.decode(framed({61, 3, 0, 200, 0, 4})));
+    decoder.expect_answer_to(asked);
+    CHECK(told_of(count) == "response; 2+1 byte count: 8; 3+8 registers 100 to 103 count: 281483566841860");
+    static_cast<void>(decoder.decode(asked));
+    decoder.expect_answer_to({});
+    CHECK(told_of(count) == unnamed);
 }
 
 TEST_CASE("registers of a response have the addresses of its request")

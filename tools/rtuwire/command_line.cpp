@@ -281,14 +281,16 @@ exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
 /// Before anything is opened. The longest pause that one of them wants is that of the line, unless one is typed.
 void read_register_files(choices& chosen, bool has_pause)
 {
-    constexpr std::string_view by_name[]{"read", "watch", "monitor", "write", "ask", "backup", "compare", "restore"};
+    constexpr std::string_view by_name[]{"read",    "watch",   "monitor", "write",  "ask",   "backup",
+                                         "compare", "restore", "sniff",   "replay", "decode"};
     line_choices& line = chosen.line;
     bool const knows_names = std::ranges::count(by_name, chosen.command) > 0;
     line.knows_registers = knows_names;
     if (not line.device.empty() and not knows_names) {
-        refuse_word(
-            "--device: read, watch, monitor, write, ask, backup, compare, restore and simulate know register files, '" +
-            chosen.command + "' does not");
+        refuse_word("--device: read, watch, monitor, write, ask, backup, compare, restore, sniff, replay, decode and "
+                    "simulate know "
+                    "register files, '" +
+                    chosen.command + "' does not");
     }
     std::vector<std::string> files;
     for (named_unit const& each : knows_names ? names_in(line) : std::vector<named_unit>{}) {

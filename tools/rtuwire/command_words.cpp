@@ -46,8 +46,8 @@ void add_line_options(CLI::App& app, line_choices& line)
     app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
     app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it; none: it is no drive");
     app.add_option("--device", line.device,
-                   "a register file of what is no drive: names of its registers, for all that reads or writes them;\n"
-                   "simulate serves it");
+                   "a register file of what is no drive: names of its registers, for all that reads, writes or shows "
+                   "them;\nsimulate serves it");
     app.add_option("--name", line.names,
                    "a unit's name, and its type or register file: fan=7:atv320, meter=61:meter.toml")
         ->allow_extra_args(false);

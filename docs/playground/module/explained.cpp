@@ -44,7 +44,8 @@ std::vector<std::byte> with_crc(std::vector<std::byte> bytes)
 /// The one frame that bytes are, if they are one and it is good.
 std::optional<tool::decoded_frame> good_frame(std::vector<std::byte> const& bytes, tool::drive_catalog const& drive)
 {
-    auto frames = tool::frame_decoder{&drive}.decode(bytes);
+    tool::names_by_drive const names{drive};
+    auto frames = tool::frame_decoder{&names}.decode(bytes);
     bool const is_good = frames.size() == 1 and frames[0].is_good() and frames[0].readings[0].flaw.empty();
     return is_good ? std::optional{std::move(frames[0])} : std::nullopt;
 }
@@ -143,7 +144,8 @@ std::string explain_typed(std::string_view text, tool::drive_catalog const& driv
     out.put("offer", found.offer.empty() ? std::string{} : tool::hex_of(found.offer));
     out.open_list("frames");
     bool const is_only_without = found.kind == "crc missing";
-    for (auto const& frame : tool::frame_decoder{&drive}.decode(is_only_without ? found.offer : typed.bytes)) {
+    tool::names_by_drive const names{drive};
+    for (auto const& frame : tool::frame_decoder{&names}.decode(is_only_without ? found.offer : typed.bytes)) {
         put_frame(out, frame);
     }
     out.close_list();

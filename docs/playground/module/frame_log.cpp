@@ -67,9 +67,8 @@ std::string frame_log::explain(std::uint32_t number) const
     out.open_list("frames");
     if (number >= first_ and number < end()) {
         seen_frame const& frame = frames_[number - first_];
-        tool::frame_decoder decoder{drive_};
-        // A response is told by the request it answers, which a decoder remembers.
-        static_cast<void>(decoder.decode(frame.request));
+        tool::frame_decoder decoder{names_};
+        decoder.expect_answer_to(frame.request);
         for (auto const& each : decoder.decode(frame.is_unanswered ? frame.request : frame.bytes)) {
             put_frame(out, each);
         }

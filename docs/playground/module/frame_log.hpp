@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "catalog/catalog.hpp"
+#include "frame/register_names.hpp"
 #include "json.hpp"
 
 namespace playground {
@@ -32,7 +32,7 @@ struct seen_frame {
 
 class frame_log {
 public:
-    explicit frame_log(tool::drive_catalog const& drive) : drive_{&drive} {}
+    explicit frame_log(tool::register_names const& names) : names_{&names} {}
 
     void add(seen_frame frame);
 
@@ -48,7 +48,7 @@ public:
 private:
     static constexpr std::size_t most = 400;
 
-    tool::drive_catalog const* drive_;
+    tool::register_names const* names_;
     std::vector<seen_frame> frames_{};
     std::uint32_t first_{0};
 };

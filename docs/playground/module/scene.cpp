@@ -52,11 +52,11 @@ constexpr rtuwire::duration longest_run = rtuwire::milliseconds(1'000);
 } // namespace
 
 scene::scene(std::unique_ptr<any_drive> drive)
-    : drive_{std::move(drive)}, frames_{catalog()}, orders_{*drive_}, bench_{link{line_speed, client_orders::options},
-                                                                             cabled_drive{*drive_},
-                                                                             line_tap{line_speed,
-                                                                                      rtuwire::milliseconds(150)},
-                                                                             typed_frames{}}
+    : drive_{std::move(drive)}, frames_{names_}, orders_{*drive_}, bench_{
+                                                                       link{line_speed, client_orders::options},
+                                                                       cabled_drive{*drive_},
+                                                                       line_tap{line_speed, rtuwire::milliseconds(150)},
+                                                                       typed_frames{}}
 {
     tap().hand_to(*this);
 }
@@ -204,7 +204,7 @@ void scene::take(rtuwire::heard_frame const& heard)
                     .is_exception = heard.is_exception(),
                     .bytes = {heard.frame.bytes.begin(), heard.frame.bytes.end()},
                     .request = {heard.request.begin(), heard.request.end()},
-                    .summary = tool::summary_of(heard, &catalog())};
+                    .summary = tool::summary_of(heard, &names_)};
     if (is_request) {
         last_request_ = seen.bytes;
     }
@@ -223,7 +223,7 @@ void scene::note_unheard(std::vector<std::byte> const& bytes, rtuwire::instant n
                  .is_exception = heard.is_exception(),
                  .bytes = bytes,
                  .request = last_request_,
-                 .summary = tool::summary_of(heard, &catalog())});
+                 .summary = tool::summary_of(heard, &names_)});
 }
 
 std::uint32_t scene::time_out_us() const noexcept

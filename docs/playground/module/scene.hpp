@@ -91,6 +91,7 @@ private:
     void put_client(json_text& out);
 
     std::unique_ptr<any_drive> drive_;
+    tool::names_by_drive names_{catalog()};
     frame_log frames_;
     client_orders orders_;
     bench bench_;

@@ -115,6 +115,13 @@ std::string full_text(register_entry const& entry, std::uint16_t word, step_size
 
 std::string full_text(register_entry const& entry, std::uint16_t word) { return full_text(entry, word, entry.step); }
 
+std::string full_text(register_entry const& entry, std::uint16_t word, std::optional<step_size> step)
+{
+    return step ? full_text(entry, word, *step)
+                : std::to_string(entry.count_of(word)) + " steps of a size that " + std::string{entry.steps_set_by} +
+                      " sets";
+}
+
 std::string full_text_in(register_entry const& entry, std::uint16_t word, drive_catalog const& drive,
                          std::optional<std::uint16_t> setting)
 {

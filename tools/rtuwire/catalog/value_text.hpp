@@ -35,6 +35,8 @@ namespace tool {
 /// `text_of`, for bits with their words behind: "0x0237 (ready to switch on, ...)".
 [[nodiscard]] std::string full_text(register_entry const& entry, std::uint16_t word);
 [[nodiscard]] std::string full_text(register_entry const& entry, std::uint16_t word, step_size step);
+/// Without a step: "30 steps of a size that UFR sets".
+[[nodiscard]] std::string full_text(register_entry const& entry, std::uint16_t word, std::optional<step_size> step);
 
 /// The same where another register may set the step, and `setting` is what that one holds: "30 steps" where that is not
 /// known.

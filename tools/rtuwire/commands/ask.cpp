@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "frame/frame_fit.hpp"
 #include "frame/frame_printer.hpp"
 #include "frame/hex_text.hpp"
+#include "frame/names_by_file.hpp"
 #include "line/end_wish.hpp"
 #include "line/line_words.hpp"
 #include "line/open_line.hpp"
@@ -186,6 +188,17 @@ private:
         return text;
     }
 
+    /// A drive's registers are its own, whatever a file says.
+    register_names const* names()
+    {
+        if (drive_ != nullptr) {
+            names_ = std::make_unique<names_by_drive>(*drive_);
+        } else if (unit_->names != nullptr) {
+            names_ = std::make_unique<names_by_file>(*unit_->names);
+        }
+        return names_.get();
+    }
+
     void show(frame_decoder& decoder, byte_list const& frame, frame_role role, std::string const& error = {})
     {
         decoded_frame known = frame.size() < rtuwire::min_adu_size
@@ -200,7 +213,7 @@ private:
     exit_status send(open_line& line)
     {
         std::byte const unit{unit_->unit.byte()};
-        frame_decoder decoder{drive_};
+        frame_decoder decoder{names()};
         if (is_free_) {
             rtuwire::single_request request{unit_->unit, raw_request{raw()}};
             return tell(line, decoder, unit, line.run(request));
@@ -318,6 +331,7 @@ private:
     bool is_broadcast_;
     std::optional<named_unit> unit_{};
     drive_catalog const* drive_{nullptr};
+    std::unique_ptr<register_names const> names_{};
     std::vector<value_to_write> values_{};
     frame_printer printer_;
 };

@@ -10,7 +10,6 @@
 #include "frame/frame_printer.hpp"
 #include "frame/hex_lines.hpp"
 #include "line/played_capture.hpp"
-#include "line/who_is_it.hpp"
 
 namespace tool {
 
@@ -29,8 +28,7 @@ std::string joined(std::vector<std::string> const& words)
 class explaining {
 public:
     explicit explaining(choices const& chosen)
-        : words_{joined(chosen.words)},
-          decoder_{chosen.line.drive.empty() ? nullptr : catalog_or_none(chosen.line.drive)}, printer_{chosen.form}
+        : words_{joined(chosen.words)}, decoder_{known_units{chosen.line}}, printer_{chosen.form}
     {}
 
     /// A line's bytes; both readings of digits whose CRC is right in neither.
@@ -52,6 +50,14 @@ public:
             status_ = frame.is_good() ? status_ : exit_status::differs;
         }
         printer_.finish_run();
+    }
+    /// A frame of which it was decided which request it answers.
+    void put(rtuwire::heard_frame const& heard)
+    {
+        if (heard.frame.role == rtuwire::frame_role::response) {
+            decoder_.expect_answer_to(heard.request);
+        }
+        put(heard.frame.bytes);
     }
     bool is_open() const { return printer_.is_open(); }
     exit_status finish() const
@@ -81,7 +87,7 @@ exit_status run_decode(choices const& chosen)
     if (chosen.words.empty() and is_capture(chosen)) {
         play_capture(capture_in(chosen), setting_in(chosen.line), [&explain](tapped_frame const& it) {
             if (not it.heard.is_unanswered and explain.is_open()) {
-                explain.put(it.heard.frame.bytes);
+                explain.put(it.heard);
             }
         });
         return explain.finish();

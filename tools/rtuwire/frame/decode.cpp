@@ -69,7 +69,15 @@ void frame_decoder::remember(byte_view frame)
     asked_.reset();
     byte_view const pdu = frame.subspan(1, frame.size() - 1 - crc_size);
     if (reads_a_run(pdu[0]) and flaw_of(pdu, frame_role::request) == errc::none) {
-        asked_ = {frame[0], pdu[0], word_at(pdu, 1), word_at(pdu, 3)};
+        asked_ = {frame[0], pdu[0], {word_at(pdu, 1), word_at(pdu, 3)}};
+    }
+}
+
+void frame_decoder::expect_answer_to(byte_view request)
+{
+    asked_.reset();
+    if (request.size() >= rtuwire::min_adu_size) {
+        remember(request);
     }
 }
 
@@ -80,7 +88,7 @@ bool frame_decoder::is_answer(byte_view frame) const
         return false;
     }
     bool const is_bits = std::to_integer<unsigned>(asked_->function) <= 2;
-    std::size_t const bytes = is_bits ? (asked_->count + 7U) / 8U : std::size_t{2} * asked_->count;
+    std::size_t const bytes = is_bits ? (asked_->run.count + 7U) / 8U : std::size_t{2} * asked_->run.count;
     return std::to_integer<std::size_t>(frame[2]) == bytes and
            flaw_of(frame.subspan(1, frame.size() - 1 - crc_size), frame_role::response) == errc::none;
 }
@@ -89,8 +97,8 @@ frame_reading frame_decoder::read(byte_view bytes, frame_role role, std::size_t 
 {
     frame_reading reading{.as = word_for(role)};
     bool const is_known = role == frame_role::response and is_answer(bytes);
-    field_reader fields{bytes.subspan(1, bytes.size() - 1 - tail), drive_};
-    read_fields(fields, role, is_known ? std::optional<unsigned>{asked_->first} : std::nullopt);
+    field_reader fields{bytes.subspan(1, bytes.size() - 1 - tail), units_.of(std::to_integer<std::uint8_t>(bytes[0]))};
+    read_fields(fields, role, is_known ? std::optional{asked_->run} : std::nullopt);
     size = 1 + fields.size() + crc_size;
     reading.fields.push_back({0, 1, "unit", unit_text(bytes[0])});
     reading.fields.insert(reading.fields.end(), fields.fields().begin(), fields.fields().end());

@@ -7,14 +7,15 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rtuwire/frames.hpp>
 #include <rtuwire/trace.hpp>
 
-#include "catalog/catalog.hpp"
 #include "frame/frame_fields.hpp"
 #include "frame/frame_split.hpp"
+#include "frame/known_units.hpp"
 
 namespace tool {
 
@@ -40,8 +41,11 @@ struct decoded_frame {
 /// Explains runs of bytes in the order in which they passed.
 class frame_decoder {
 public:
-    /// Drive: its registers are named; null where none is chosen.
-    explicit frame_decoder(drive_catalog const* drive) : drive_{drive} {}
+    /// What the registers of each unit are called.
+    explicit frame_decoder(known_units units) : units_{std::move(units)} {}
+
+    /// The next frame answers this request; where that is empty, none that is known.
+    void expect_answer_to(rtuwire::byte_view request);
 
     /// All frames of a run, one after the other. The response that follows its request is known as that, and the
     /// addresses of its registers with it.
@@ -54,8 +58,7 @@ private:
     struct question {
         std::byte unit;
         std::byte function;
-        std::uint16_t first;
-        std::uint16_t count;
+        asked_run run;
     };
 
     [[nodiscard]] decoded_frame explain(rtuwire::byte_view bytes, frame_piece const& piece);
@@ -66,7 +69,7 @@ private:
     [[nodiscard]] frame_reading read(rtuwire::byte_view bytes, rtuwire::frame_role role, std::size_t tail,
                                      std::size_t& size) const;
 
-    drive_catalog const* drive_;
+    known_units units_;
     std::optional<question> asked_{};
 };
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "catalog/value_text.hpp"
+#include "frame/frame_fit.hpp"
 #include "frame/hex_text.hpp"
 
 namespace tool {
@@ -13,13 +13,16 @@ namespace {
 
 constexpr std::size_t in_a_row = 8;
 
-/// What a drive's register holds. Nobody knows here what sets the step of some.
-std::string value_of(register_entry const& entry, drive_catalog const& drive, std::uint16_t word)
+/// "register 5", "coils no. 1 to 8".
+std::string run_text(std::string_view one, std::string_view mark, std::size_t first, std::size_t count)
 {
-    auto const step = step_of(entry, drive);
-    return step ? full_text(entry, word, *step)
-                : std::to_string(entry.count_of(word)) + " steps of a size that " + std::string{entry.steps_set_by} +
-                      " sets";
+    std::string const number = std::string{mark} + std::to_string(first);
+    return std::string{one} + (count == 1 ? ' ' + number : "s " + number + " to " + std::to_string(first + count - 1));
+}
+
+std::string with_name(std::string text, std::string const& name)
+{
+    return name.empty() ? std::move(text) : std::move(text) + ' ' + name;
 }
 
 } // namespace
@@ -52,54 +55,80 @@ std::optional<unsigned> field_reader::take(std::size_t length)
     return value;
 }
 
-register_entry const* field_reader::entry_at(unsigned address) const
-{
-    return drive_ == nullptr or address > 0xFFFFU ? nullptr : drive_->at(static_cast<std::uint16_t>(address));
-}
-
 unsigned field_reader::number(std::size_t length, std::string_view name)
 {
     return number(length, name, [](unsigned value) { return std::to_string(value); });
 }
 
-unsigned field_reader::register_address(std::string_view name)
+unsigned field_reader::address(std::string_view name, register_space space)
 {
-    return number(2, name, [this](unsigned address) {
-        register_entry const* const entry = entry_at(address);
-        return std::to_string(address) + (entry == nullptr ? "" : " (" + std::string{entry->code} + ")");
+    return number(2, name, [&](unsigned address) {
+        std::string const names = names_ == nullptr ? std::string{} : names_->name_at(space, address);
+        return std::to_string(address) + (names.empty() ? "" : " (" + names + ")");
     });
 }
 
-void field_reader::registers(std::size_t count, std::optional<unsigned> first, bool are_holding)
+void field_reader::registers(std::size_t count, std::optional<unsigned> first, register_space space)
 {
-    for (std::size_t i = 0; i < count and not is_short_; ++i) {
-        unsigned const address = first.value_or(0) + static_cast<unsigned>(i);
-        register_entry const* const entry = first and are_holding ? entry_at(address) : nullptr;
-        std::string name = first ? "register " + std::to_string(address)
-                                 : "register no. " + std::to_string(i + 1) + " of " + std::to_string(count);
-        name += entry == nullptr ? "" : " " + std::string{entry->code};
-        number(2, name, [&](unsigned word) {
-            return entry == nullptr ? std::to_string(word)
-                                    : value_of(*entry, *drive_, static_cast<std::uint16_t>(word));
-        });
+    std::size_t const there = (std::min)(count, is_short_ ? 0 : left() / 2);
+    for (std::size_t i = 0; i < there and not first; ++i) {
+        number(2, "register no. " + std::to_string(i + 1) + " of " + std::to_string(count));
+    }
+    if (first) {
+        std::size_t const begin = at_;
+        std::vector<std::uint16_t> words;
+        for (std::size_t i = 0; i < there; ++i) {
+            words.push_back(word_at(pdu_, begin + 2 * i));
+        }
+        for (passed_value const& each : values_in(names_, space, *first, words)) {
+            at_ = begin + 2 * (each.address - *first); // bits stand where their register does
+            std::string const name = run_text("register", "", each.address, each.count);
+            static_cast<void>(has(2 * each.count));
+            add(2 * each.count, with_name(name, each.name), each.text);
+        }
+    }
+    if (there < count) {
+        static_cast<void>(has(2));
     }
 }
 
-void field_reader::bits(std::size_t bytes, std::size_t count, std::optional<unsigned> first, std::string_view one)
+void field_reader::bits(std::size_t bytes, std::size_t count, std::optional<unsigned> first, std::string_view one,
+                        register_space space)
 {
     for (std::size_t i = 0; i < bytes and not is_short_; ++i) {
         std::size_t const begin = 8 * i;
         std::size_t const end = (std::min)(begin + 8, (std::max)(count, begin + 1));
-        std::size_t const from = first ? *first : 1;
-        std::string const name = std::string{one} + (first ? "s " : "s no. ") + std::to_string(from + begin) + " to " +
-                                 std::to_string(from + end - 1);
+        std::string const name = run_text(one, first ? "" : "no. ", first.value_or(1) + begin, end - begin);
+        std::vector<std::uint16_t> values;
         number(1, name, [&](unsigned value) {
             std::string text;
             for (std::size_t bit = 0; bit < end - begin; ++bit) {
-                text += (bit == 0 ? "" : " ") + std::to_string(value >> bit & 1U);
+                values.push_back(value >> bit & 1U);
+                text += (bit == 0 ? "" : " ") + std::to_string(values.back());
             }
             return text;
         });
+        if (first) {
+            values.resize(count > begin ? values.size() : 0); // more bytes than bits
+            add_named_bits(1, *first + static_cast<unsigned>(begin), values, one, space);
+        }
+    }
+}
+
+void field_reader::named_coil(unsigned address, bool is_on)
+{
+    std::uint16_t const value = is_on ? 1 : 0;
+    add_named_bits(2, address, {&value, 1}, "coil", register_space::coil);
+}
+
+void field_reader::add_named_bits(std::size_t bytes, unsigned first, std::span<std::uint16_t const> values,
+                                  std::string_view one, register_space space)
+{
+    for (passed_value const& each : values_in(names_, space, first, values)) {
+        if (not each.name.empty()) {
+            at_ -= bytes;
+            add(bytes, std::string{one} + ' ' + std::to_string(each.address) + ' ' + each.name, each.text);
+        }
     }
 }
 

@@ -6,13 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <rtuwire/frames.hpp>
 
-#include "catalog/catalog.hpp"
+#include "frame/register_names.hpp"
 
 namespace tool {
 
@@ -26,11 +27,17 @@ struct frame_field {
     friend bool operator==(frame_field const&, frame_field const&) = default;
 };
 
+/// What the request asked for that a response answers.
+struct asked_run {
+    unsigned first;
+    unsigned count; ///< registers, or bits
+};
+
 /// Reads the fields of a PDU. Where the bytes end early, the rest is left out and `is_short()`.
 class field_reader {
 public:
-    /// Drive: null where none is known.
-    field_reader(rtuwire::byte_view pdu, drive_catalog const* drive) : pdu_{pdu}, drive_{drive} {}
+    /// Names: null where none are known.
+    field_reader(rtuwire::byte_view pdu, register_names const* names) : pdu_{pdu}, names_{names} {}
 
     /// A number of 1 or 2 bytes, as it is; 0 where it is missing.
     unsigned number(std::size_t length, std::string_view name);
@@ -44,13 +51,16 @@ public:
         return found.value_or(0);
     }
 
-    /// An address of a holding register, with its mnemonic.
-    unsigned register_address(std::string_view name);
-    /// So many registers. Without a first address they are counted from 1. Words of a drive's registers where
-    /// `are_holding`.
-    void registers(std::size_t count, std::optional<unsigned> first, bool are_holding = true);
-    /// Bits in so many bytes, the lowest first; `one` is "coil" or "input".
-    void bits(std::size_t bytes, std::size_t count, std::optional<unsigned> first, std::string_view one);
+    /// An address, with what is called so.
+    unsigned address(std::string_view name, register_space space);
+    /// So many registers. Without a first address they are counted from 1.
+    void registers(std::size_t count, std::optional<unsigned> first, register_space space);
+    /// So many bits in so many bytes, the lowest first; `one` is "coil" or "output". Behind each byte its bits that have
+    /// names.
+    void bits(std::size_t bytes, std::size_t count, std::optional<unsigned> first, std::string_view one,
+              register_space space);
+    /// The last two bytes as a coil that is on or off, where it has a name.
+    void named_coil(unsigned address, bool is_on);
     /// Bytes that are not looked into, in rows.
     void raw(std::size_t length, std::string_view name);
     /// Characters, as they are where they are printable.
@@ -66,10 +76,12 @@ private:
     std::optional<unsigned> take(std::size_t length);
     bool has(std::size_t length);
     void add(std::size_t length, std::string name, std::string value);
-    register_entry const* entry_at(unsigned address) const;
+    /// Of the bits in the last bytes those that have names.
+    void add_named_bits(std::size_t bytes, unsigned first, std::span<std::uint16_t const> values, std::string_view one,
+                        register_space space);
 
     rtuwire::byte_view pdu_;
-    drive_catalog const* drive_;
+    register_names const* names_;
     std::size_t at_{0};
     std::size_t size_{0};
     bool is_short_{false};

@@ -55,7 +55,7 @@ void read_interface(field_reader& from, frame_role role)
 
 } // namespace
 
-void read_fields(field_reader& from, frame_role role, std::optional<unsigned> first)
+void read_fields(field_reader& from, frame_role role, std::optional<asked_run> const& asked)
 {
     using enum function_code;
     constexpr unsigned exception_bit = 0x80;
@@ -80,7 +80,7 @@ void read_fields(field_reader& from, frame_role role, std::optional<unsigned> fi
     } else if (role == frame_role::request) {
         read_request(from, code);
     } else {
-        read_response(from, code, first);
+        read_response(from, code, asked);
     }
 }
 

@@ -11,8 +11,8 @@
 
 namespace tool {
 
-/// Reads the PDU as a request or as a response. `first`: the address that the request of a response had, where it is
-/// known.
-void read_fields(field_reader& from, rtuwire::frame_role role, std::optional<unsigned> first);
+/// Reads the PDU as a request or as a response. `asked`: what the request of a response asked for, where
+/// it is known.
+void read_fields(field_reader& from, rtuwire::frame_role role, std::optional<asked_run> const& asked);
 
 } // namespace tool

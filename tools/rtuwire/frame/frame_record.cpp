@@ -56,7 +56,7 @@ record frame_records::record_of(tapped_frame const& it) const
                 {"unit", std::int64_t{heard.unit()}},
                 {"verdict", verdict_of(heard)},
                 {"ms", response_milliseconds(it)},
-                {"text", summary_of(heard, units_.drive_of(heard.unit()))},
+                {"text", summary_of(heard, units_.of(heard.unit()))},
                 {"bytes", hex_of(heard.frame.bytes)}};
     if (not is_table_) {
         line.add("own", heard.frame.is_own);

@@ -8,16 +8,18 @@ namespace {
 
 using rtuwire::function_code;
 
-void read_counted(field_reader& from, function_code code, std::optional<unsigned> first)
+void read_counted(field_reader& from, function_code code, std::optional<asked_run> const& asked)
 {
     using enum function_code;
     unsigned const bytes = from.number(1, "byte count");
+    auto const first = asked ? std::optional{asked->first} : std::nullopt;
     if (code == read_coils or code == read_discrete_inputs) {
-        from.bits(bytes, std::size_t{8} * bytes, first, bits_of_function(code));
+        // What fills the last byte is no bit that was asked for.
+        from.bits(bytes, asked ? asked->count : 8U * bytes, first, bits_of_function(code), space_of(code));
     } else if (code == report_server_id) {
         from.raw(bytes, "data");
     } else {
-        from.registers(bytes / 2, first, code != read_input_registers);
+        from.registers(bytes / 2, first, space_of(code));
         from.raw(bytes % 2, "half a register");
     }
 }
@@ -48,14 +50,14 @@ void read_records(field_reader& from)
 
 } // namespace
 
-void read_response(field_reader& from, function_code code, std::optional<unsigned> first)
+void read_response(field_reader& from, function_code code, std::optional<asked_run> const& asked)
 {
     using enum function_code;
     if (code == write_multiple_coils or code == write_multiple_registers) {
-        code == write_multiple_coils ? from.number(2, "first coil") : from.register_address("first register");
+        from.address(code == write_multiple_coils ? "first coil" : "first register", space_of(code));
         from.number(2, "quantity");
     } else if (code == read_exception_status) {
-        from.bits(1, 8, std::nullopt, "output");
+        from.bits(1, 8, std::nullopt, "output", register_space::coil);
     } else if (code == get_comm_event_counter) {
         from.number(2, "status");
         from.number(2, "event count");
@@ -65,9 +67,9 @@ void read_response(field_reader& from, function_code code, std::optional<unsigne
         read_records(from);
     } else if (code == read_fifo_queue) {
         from.number(2, "byte count");
-        from.registers(from.number(2, "registers in the queue"), std::nullopt);
+        from.registers(from.number(2, "registers in the queue"), std::nullopt, register_space::holding);
     } else {
-        read_counted(from, code, first);
+        read_counted(from, code, asked);
     }
 }
 

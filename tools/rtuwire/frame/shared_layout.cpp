@@ -12,15 +12,18 @@ using rtuwire::function_code;
 void write_single(field_reader& from, function_code code)
 {
     if (code == function_code::write_single_register) {
-        from.registers(1, from.register_address("register"));
+        from.registers(1, from.address("register", space_of(code)), space_of(code));
         return;
     }
-    from.number(2, "coil");
-    from.number(2, "value", [](unsigned value) {
+    unsigned const address = from.address("coil", space_of(code));
+    unsigned const sent = from.number(2, "value", [](unsigned value) {
         return value == 0xFF00U ? std::string{"on"}
                : value == 0     ? std::string{"off"}
                                 : std::to_string(value) + ", which is neither on nor off";
     });
+    if (not from.is_short() and (sent == 0xFF00U or sent == 0)) {
+        from.named_coil(address, sent != 0);
+    }
 }
 
 void read_diagnostics(field_reader& from)
@@ -35,12 +38,22 @@ void read_diagnostics(field_reader& from)
 
 void read_mask(field_reader& from)
 {
-    from.register_address("register");
+    from.address("register", register_space::holding);
     from.number(2, "AND mask");
     from.number(2, "OR mask");
 }
 
 } // namespace
+
+register_space space_of(function_code code)
+{
+    using enum function_code;
+    bool const is_coil = code == read_coils or code == write_single_coil or code == write_multiple_coils;
+    return is_coil                        ? register_space::coil
+           : code == read_discrete_inputs ? register_space::discrete
+           : code == read_input_registers ? register_space::input
+                                          : register_space::holding;
+}
 
 std::string bits_of_function(function_code code)
 {

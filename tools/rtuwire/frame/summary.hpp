@@ -7,11 +7,11 @@
 
 #include <rtuwire/trace.hpp>
 
-#include "catalog/catalog.hpp"
+#include "frame/register_names.hpp"
 
 namespace tool {
 
-/// The names of registers are those of a drive; null: numbers. A response is explained by the request it answers.
-std::string summary_of(rtuwire::heard_frame const& heard, drive_catalog const* drive);
+/// Names: null where none are known. A response is explained by the request it answers.
+std::string summary_of(rtuwire::heard_frame const& heard, register_names const* names);
 
 } // namespace tool

@@ -12,15 +12,12 @@ namespace {
 /// Fills in what a whole number of steps is.
 void measure(reading& it, register_entry const& entry, std::uint16_t word, std::optional<step_size> step)
 {
-    std::int32_t const count = entry.count_of(word);
-    if (not step) {
-        it.text = std::to_string(count) + " steps of a size that " + std::string{entry.steps_set_by} + " sets";
-        return;
+    it.text = full_text(entry, word, step);
+    if (step) {
+        it.value = static_cast<double>(entry.count_of(word)) * static_cast<double>(step->numerator) /
+                   static_cast<double>(step->denominator);
+        it.measure = std::string{entry.unit};
     }
-    it.value =
-        static_cast<double>(count) * static_cast<double>(step->numerator) / static_cast<double>(step->denominator);
-    it.measure = std::string{entry.unit};
-    it.text = full_text(entry, word, *step);
 }
 
 void explain(reading& it, chosen_register const& which, std::uint16_t word, register_reader const& from,
