@@ -356,6 +356,27 @@ def check_full_disk(tool, check):
                 check(process.returncode == PORT and len(sent) == 1 and says in errors, f"{unit} {form}: told into a full disk", (errors, sent))
 
 
+def check_log_gone(tool, check):
+    """A log that cannot be added to any more when the frame was sent: who was written what is told, and the status says so."""
+    log = tool.place / "state" / "rtuwire" / "writes.log"
+
+    class Losing(Units):
+        def answer(self, request):
+            if request[1] in (5, 6, 0x41):
+                log.unlink()
+                log.mkdir()
+            return super().answer(request) if request[0] else None
+
+    for unit, words, says in ((7, ["06", "00140005"], "unit 7: function 06, write single register: 06 00 14 00 05; 20 = 5 was sent: answered; nothing of it is noted"),
+                              (0, ["06", "00140005"], "all units: function 06, write single register: 06 00 14 00 05 was sent: sent to all; nothing of it is noted")):
+        with Losing({7: {20: 1}, 0: {20: 1}}) as line:
+            ended = tool.run("--no-listen", *NONE, "--allow-run", "-u", unit, "--json", "ask", *words, port=line.name)
+            held = line.units[7][20] if unit else line.requests[-1][5]
+            check(ended.status == PORT and held == 5 and says in ended.errors and f"{log}: is a directory" in ended.errors and ended.output,
+                  f"unit {unit}: a frame that is not noted is told", ended)
+        log.rmdir()
+
+
 def check_echo(tool, check):
     """A line that gives back what is sent: the response to 08, 05 and 06 looks like it, whether anybody is there or not."""
     class Echoing(Units):
@@ -395,6 +416,7 @@ def main(check, program, libmodbus_server):
         check_once(tool, check)
         check_echo(tool, check)
         check_full_disk(tool, check)
+        check_log_gone(tool, check)
         check_flaws(tool, check)
 
 

@@ -245,7 +245,7 @@ private:
             show(decoder, frame_of(unit, pdu_), frame_role::request);
             show(decoder, response, frame_role::response, failure);
         });
-        return status_of(why);
+        return noted(status_of(why));
     }
 
     /// What was sent is told, though the output takes nothing.
@@ -303,26 +303,38 @@ private:
         show_all("nobody answers a broadcast",
                  [&] { show(decoder, frame_of(std::byte{0}, pdu_), frame_role::request); });
         std::fputs("note: nobody answers a broadcast: what the units made of it is not known\n", stderr);
-        return exit_status::done;
+        return noted(exit_status::done);
     }
 
-    /// In the file of what was written, where it may have changed something.
-    void note(std::string const& outcome) const
+    /// In the file of what was written, where it may have changed something. What the file lacks is told here: nobody else
+    /// knows that it was sent.
+    void note(std::string const& outcome)
     {
         if (is_free_) {
             return;
         }
         unsigned const unit = unit_ ? unit_->unit.byte() : 0;
         std::string failure = log_write({chosen_.line.port, unit, "ask " + hex_of(pdu_), "unknown", outcome});
+        bool const has_frame = failure.empty();
         for (value_to_write const& each : values_) {
             if (failure.empty()) {
                 failure = log_write(
                     {chosen_.line.port, unit, label_of({each.where, each.entry}), "unknown", each.text + " was sent"});
             }
         }
-        if (not failure.empty()) {
-            std::fprintf(stderr, "rtuwire: not noted: %s\n", plain_text(failure).c_str());
+        is_log_missed_ = not failure.empty();
+        if (is_log_missed_) {
+            std::string const told =
+                to_whom() + ": " + what() + " was sent: " + outcome +
+                (has_frame ? "; the frame is noted in writes.log, and not all that it wrote"
+                           : "; nothing of it is noted in writes.log, and what was there before is not known");
+            std::fprintf(stderr, "rtuwire: %s: %s\n", plain_text(told).c_str(), plain_text(failure).c_str());
         }
+    }
+
+    exit_status noted(exit_status outcome) const
+    {
+        return outcome == exit_status::done and is_log_missed_ ? exit_status::port : outcome;
     }
 
     choices const& chosen_;
@@ -331,6 +343,7 @@ private:
     bool is_broadcast_;
     std::optional<named_unit> unit_{};
     drive_catalog const* drive_{nullptr};
+    bool is_log_missed_{false};
     std::unique_ptr<register_names const> names_{};
     std::vector<value_to_write> values_{};
     frame_printer printer_;
