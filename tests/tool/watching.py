@@ -91,12 +91,15 @@ def check_units(tool, check):
         how, briefly = several(line, "fan", "61,62"), ["--every", "50ms", "--for", "0.12s"]
         ended = tool.run(*how, "--device", "meter.toml", "--csv", "watch", "RFR", "power", "LCR@fan", "hours@62", *briefly)
         check(ended.status == DONE and ended.output.startswith(
-            "time,seconds,RFR@fan,LCR@fan,error@fan,power@unit61,error@unit61,power@unit62,hours@unit62,error@unit62\n"),
+            "time,seconds,RFR@fan,RFR@fan measure,LCR@fan,LCR@fan measure,error@fan,power@unit61,power@unit61 measure,error@unit61,"
+            "power@unit62,power@unit62 measure,hours@unit62,error@unit62\n"),
             "columns of each unit, a drive beside a register file", ended)
         check(ended.rows()[0]["RFR@fan"] == "40" and ended.rows()[0]["power@unit62"] == "231", "and their values", ended)
+        check([ended.rows()[0][f"{each} measure"] for each in ("RFR@fan", "LCR@fan", "power@unit62")] == ["Hz", "A", "W"],
+              "and their units", ended)
         check("fan has no power" in ended.errors and "unit61 has no RFR" in ended.errors, "what is not asked of whom is said", ended)
         found = tool.run(*how, "--device", "meter.toml", "--json", "watch", "RFR@7,power@61,power@62", *briefly).objects()[0]
-        check([found[each] for each in ("RFR@fan", "power@unit61", "power@unit62", "error@unit61")] == [40, 230, 231, None],
+        check([found[each] for each in ("RFR@fan", "power@unit61", "power@unit62", "error@unit61", "power@unit61 measure")] == [40, 230, 231, None, "W"],
               "the same in JSON", found)
         ended = tool.run(*how, "--device", "meter.toml", "watch", "RFR", "power", *briefly)
         check("power@unit62" in ended.output and "40.0 Hz" in ended.output and "231 W" in ended.output, "and in a table", ended)
@@ -141,7 +144,7 @@ def check_silent_unit(tool, check):
     with Units(dict(units)) as line:
         ended = tool.run(*several(line, "9,fan"), "--csv", "watch", "RFR", "--every", "50ms", "--for", "0.2s")
         row = ended.rows()[-1]
-        check(ended.status == NO_ANSWER and list(row)[2:] == ["error@unit9", "RFR@fan", "error@fan"] and row["error@unit9"] and
+        check(ended.status == NO_ANSWER and list(row)[2:] == ["error@unit9", "RFR@fan", "RFR@fan measure", "error@fan"] and row["error@unit9"] and
               row["RFR@fan"] == "40", "one that does not say which drive it is has an error, and the other its values", ended)
         process = tool.start(*several(line, "61,fan,9"), "--device", "meter.toml", "--json", "watch", "RFR@fan", "power@61",
                              "hours@61", "power@9", "--every", "50ms", "--for", f"{LIMIT}s")

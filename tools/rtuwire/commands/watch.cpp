@@ -180,6 +180,9 @@ private:
             });
             reading const it = reading_of(each, of->reader, unit.asked.drive);
             line.add(column(it.label, unit), not of->is_read ? cell{} : is_table ? cell{it.text} : it.value);
+            if (not is_table and has_measure(each)) {
+                line.add(column(it.label, unit) + " measure", of->is_read ? cell{it.measure} : cell{});
+            }
         }
         bool const is_read =
             std::ranges::any_of(parts_, [which](part const& one) { return one.unit == which and one.is_read; });

@@ -70,6 +70,12 @@ std::string label_of(chosen_register const& which)
     return code + '.' + (name.empty() ? std::to_string(where.bit) + last : name);
 }
 
+bool has_measure(chosen_register const& which)
+{
+    bool const is_amount = is_named(which) and which.where.bit < 0 and which.entry->is_amount();
+    return is_amount ? not which.entry->unit.empty() : not which.where.form.unit.empty();
+}
+
 reading reading_of(chosen_register const& which, register_reader const& from, drive_catalog const* drive)
 {
     place const& where = which.where;

@@ -26,6 +26,9 @@ struct reading {
     std::string text;    ///< "50.0 Hz"; the error in words
 };
 
+/// Whether it has a unit, whatever it holds.
+bool has_measure(chosen_register const& which);
+
 reading reading_of(chosen_register const& which, register_reader const& from, drive_catalog const* drive);
 
 } // namespace tool
