@@ -153,6 +153,11 @@ def check_meter(tool, line, check):
                          "register 100 first": [f"0x{box[100]:04X}"]}, f"decode {form} names them", values)
         check(field(found, "first input register", "request") == ["100 (voltage)", "101 (register 2 of voltage)", "100 (first)"],
               f"decode {form} names what was asked for", field(found, "first input register", "request"))
+        held = [(row["register"], row["holds"], row["measure"]) for row in found if row["register"] and row["as"] == "response"]
+        wanted = [("mode", "heat", ""), ("alarm", True, ""), ("outside", "", "degC"), ("voltage", VOLTAGE, "V"), ("energy", ENERGY / 100, "kWh"),
+                  ("relay", "open", ""), ("voltage", "", ""), ("energy", "", ""), ("first", box[100], "")]
+        plain = lambda it: "" if it is None else "yes" if it is True else str(it)  # CSV has texts, and JSON null for nothing
+        check([[*map(plain, each)] for each in held] == [[*map(plain, each)] for each in wanted], f"{form} has them for programs", held)
     table = tool.run(*NAMED, "decode", port=file).output
     check("registers 100 to 101 voltage  230.1 V" in table, "a table does", table[:200])
     rows = tool.run("-u", METER, "--device", "meter.toml", "--json", "decode", port=file).objects()
@@ -180,6 +185,8 @@ def check_pairs(tool, check):
     for lines in ([value], [asked, other, value], [frame(BOX, 4, 0, 100, 0, 2), value],
                   [frame(METER, 3, 0, 100, 0, 2), value], [asked.replace("3d", "3e", 1), value]):
         check(named(*lines) == [], f"{lines}: none", named(*lines))
+    rows = tool.run(*NAMED, "--json", "decode", "-", given=f"{asked}\n{value[:-2]}00\n").objects()
+    check(not any(row["register"] or row["holds"] for row in rows), "a program gets no value out of a frame with a wrong CRC", rows)
     how = ["--device", "meter.toml"]
     check(named(asked, value, how=how) == ["230.1 V"] and named(asked, value, how=[]) == [], "by --device, of all units")
     holding = tool.run(*NAMED, "--json", "decode", frame(METER, 3, 0, 100, 0, 2)).objects()
@@ -264,14 +271,16 @@ def check_as_read(tool, check, seed):
         trace = tool.place / f"{seed}{unit}.pcapng"
         how = ["-u", unit, "--device", "drawn.toml", "--json"]
         ended = tool.run(*LINE, *how, "--trace", trace, "read", "*")
-        texts = {each["register"]: each.get("text") for each in ended.objects()}
-        check(ended.status == DONE and len(texts) > 150, f"seed {seed}, unit {unit}: all is read", ended.errors)
+        said = {each["register"]: (each.get("text"), each.get("value"), each.get("measure")) for each in ended.objects()}
+        check(ended.status == DONE and len(said) > 150, f"seed {seed}, unit {unit}: all is read", ended.errors)
         rows = [row for row in tool.run(*how, "decode", port=trace).objects() if row["as"] == "response"]
-        found = {row["field"].split()[-1]: row["value"] for row in rows if "_" in row["field"]}
-        differs = [(name, texts.get(name), found.get(name)) for name in texts.keys() | found.keys() if texts.get(name) != found.get(name)]
-        check(not differs, f"seed {seed}, unit {unit}: {len(texts)} values are what read says", differs[:5])
+        found = {row["register"]: (row["value"], row["holds"], row["measure"] or "") for row in rows if row["register"]}
+        differs = [(name, said.get(name), found.get(name)) for name in said.keys() | found.keys() if said.get(name) != found.get(name)]
+        names = {row["field"].split()[-1] for row in rows if "_" in row["field"]}
+        check(names == found.keys(), f"seed {seed}, unit {unit}: people and programs see the same names", names ^ found.keys())
+        check(not differs, f"seed {seed}, unit {unit}: {len(said)} values are what read says", differs[:5])
         lines = [each["text"] for each in tool.run(*how, "replay", trace).objects() if each["role"] == "response"]
-        shown = [name for name, text in texts.items() if any(f"{name} {text}" in line for line in lines)]
+        shown = [name for name, (text, *_) in said.items() if any(f"{name} {text}" in line for line in lines)]
         check(len(shown) > 100, f"seed {seed}, unit {unit}: a replay shows {len(shown)} of them so", lines[:3])
 
 

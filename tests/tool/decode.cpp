@@ -306,6 +306,57 @@ TEST_CASE("each frame that is cut short, and any bytes at all, are explained as 
     }
 }
 
+TEST_CASE("a register file explains any bytes as far as they go")
+{
+    std::string text;
+    for (char const* const space : {"holding", "input", "coil", "discrete"}) {
+        for (int address = 0; address < 32; ++address) {
+            bool const is_bit = space[0] == 'c' or space[0] == 'd';
+            bool const is_wide = not is_bit and address % 4 == 0;
+            if (is_bit or is_wide or address % 4 == 3) {
+                text += std::string{"[[register]]\nname = \""} + space[0] + "_" + std::to_string(address) +
+                        "\"\nspace = \"" + space + "\"\naddress = " + std::to_string(address) + '\n' +
+                        (is_wide  ? "type = \"text5\"\n"
+                         : is_bit ? ""
+                                  : "bits = \"3-15\"\n");
+            }
+        }
+    }
+    tool::named_places const file = tool::read_register_file("t.toml", text);
+    tool::names_by_file const names{file};
+    tool::frame_decoder decoder{&names};
+    unsigned drawn = 1;
+    auto const draw = [&drawn](unsigned below) { return (drawn = drawn * 1'103'515'245U + 12'345U) / 65'536U % below; };
+    constexpr unsigned functions[] = {1, 2, 3, 4, 5, 6, 15, 16, 22, 23};
+    std::size_t named = 0;
+    for (int i = 0; i < 3'000; ++i) {
+        unsigned const function = functions[draw(10)];
+        bytes run = framed({61, function, draw(9) == 0 ? 255U : 0U, draw(40), 0, draw(20), draw(20), draw(4)});
+        unsigned const count = 1 + draw(20);
+        if (function < 5 and draw(4) != 0) {
+            run = framed({61, function, 0, draw(40), 0, count});
+            bytes body = raw({61, function, function < 3 ? (count + 7) / 8 : 2 * count});
+            for (unsigned k = std::to_integer<unsigned>(body[2]) + 2; k > 0; --k) {
+                body.push_back(static_cast<std::byte>(draw(256)));
+            }
+            unsigned const crc = rtuwire::crc16(rtuwire::byte_view{body}.first(body.size() - 2));
+            body[body.size() - 2] = static_cast<std::byte>(crc & 0xFFU);
+            body[body.size() - 1] = static_cast<std::byte>(crc >> 8U);
+            run = run + body;
+        }
+        run.resize(run.size() - (draw(4) == 0 ? draw(static_cast<unsigned>(run.size())) : 0));
+        for (auto const& frame : decoder.decode(run)) {
+            for (auto const& reading : frame.readings) {
+                for (auto const& each : reading.fields) {
+                    REQUIRE(each.offset + each.length <= frame.bytes.size());
+                    named += each.label.empty() ? 0U : 1U;
+                }
+            }
+        }
+    }
+    CHECK(named > 3'000);
+}
+
 TEST_CASE("bytes are written in many ways")
 {
     for (char const* const text :

@@ -115,11 +115,22 @@ std::string full_text(register_entry const& entry, std::uint16_t word, step_size
 
 std::string full_text(register_entry const& entry, std::uint16_t word) { return full_text(entry, word, entry.step); }
 
-std::string full_text(register_entry const& entry, std::uint16_t word, std::optional<step_size> step)
+register_value value_of(register_entry const& entry, std::uint16_t word, std::optional<step_size> step)
 {
-    return step ? full_text(entry, word, *step)
-                : std::to_string(entry.count_of(word)) + " steps of a size that " + std::string{entry.steps_set_by} +
-                      " sets";
+    if (not step) {
+        return {{},
+                {},
+                std::to_string(entry.count_of(word)) + " steps of a size that " + std::string{entry.steps_set_by} +
+                    " sets"};
+    }
+    std::string const text = full_text(entry, word, *step);
+    if (not entry.is_amount()) {
+        bool const is_bits = entry.kind == register_kind::bits;
+        return {is_bits ? cell{std::int64_t{word}} : cell{text_of(entry, word)}, {}, text};
+    }
+    double const amount = static_cast<double>(entry.count_of(word)) * static_cast<double>(step->numerator) /
+                          static_cast<double>(step->denominator);
+    return {amount, std::string{entry.unit}, text};
 }
 
 std::string full_text_in(register_entry const& entry, std::uint16_t word, drive_catalog const& drive,

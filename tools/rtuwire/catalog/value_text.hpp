@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "catalog/catalog.hpp"
+#include "output/record.hpp"
 
 namespace tool {
 
@@ -35,8 +36,14 @@ namespace tool {
 /// `text_of`, for bits with their words behind: "0x0237 (ready to switch on, ...)".
 [[nodiscard]] std::string full_text(register_entry const& entry, std::uint16_t word);
 [[nodiscard]] std::string full_text(register_entry const& entry, std::uint16_t word, step_size step);
-/// Without a step: "30 steps of a size that UFR sets".
-[[nodiscard]] std::string full_text(register_entry const& entry, std::uint16_t word, std::optional<step_size> step);
+
+/// A word for programs and for people.
+struct register_value {
+    cell value{};          ///< the amount in its unit, the enumerator, the bits as a number; nothing without a step
+    std::string measure{}; ///< "Hz"
+    std::string text{};    ///< `full_text`; without a step "30 steps of a size that UFR sets"
+};
+[[nodiscard]] register_value value_of(register_entry const& entry, std::uint16_t word, std::optional<step_size> step);
 
 /// The same where another register may set the step, and `setting` is what that one holds: "30 steps" where that is not
 /// known.

@@ -20,11 +20,6 @@ std::string run_text(std::string_view one, std::string_view mark, std::size_t fi
     return std::string{one} + (count == 1 ? ' ' + number : "s " + number + " to " + std::to_string(first + count - 1));
 }
 
-std::string with_name(std::string text, std::string const& name)
-{
-    return name.empty() ? std::move(text) : std::move(text) + ' ' + name;
-}
-
 } // namespace
 
 bool field_reader::has(std::size_t length)
@@ -41,6 +36,14 @@ void field_reader::add(std::size_t length, std::string name, std::string value)
 {
     fields_.push_back({at_ + 1, length, std::move(name), std::move(value)});
     at_ += length;
+}
+
+void field_reader::add(std::size_t length, std::string const& where, passed_value const& what)
+{
+    add(length, where + (what.name.empty() ? "" : ' ' + what.name), what.text);
+    fields_.back().label = what.name;
+    fields_.back().holds = what.value;
+    fields_.back().measure = what.measure;
 }
 
 std::optional<unsigned> field_reader::take(std::size_t length)
@@ -84,7 +87,7 @@ void field_reader::registers(std::size_t count, std::optional<unsigned> first, r
             at_ = begin + 2 * (each.address - *first); // bits stand where their register does
             std::string const name = run_text("register", "", each.address, each.count);
             static_cast<void>(has(2 * each.count));
-            add(2 * each.count, with_name(name, each.name), each.text);
+            add(2 * each.count, name, each);
         }
     }
     if (there < count) {
@@ -127,7 +130,7 @@ void field_reader::add_named_bits(std::size_t bytes, unsigned first, std::span<s
     for (passed_value const& each : values_in(names_, space, first, values)) {
         if (not each.name.empty()) {
             at_ -= bytes;
-            add(bytes, std::string{one} + ' ' + std::to_string(each.address) + ' ' + each.name, each.text);
+            add(bytes, run_text(one, "", each.address, 1), each);
         }
     }
 }

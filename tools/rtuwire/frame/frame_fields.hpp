@@ -23,6 +23,10 @@ struct frame_field {
     std::size_t length; ///< in bytes
     std::string name;
     std::string value; ///< for people
+    /// Of a register or bit that has a name: that, its value for programs, and the unit of that.
+    std::string label{};
+    cell holds{};
+    std::string measure{};
 
     friend bool operator==(frame_field const&, frame_field const&) = default;
 };
@@ -76,6 +80,7 @@ private:
     std::optional<unsigned> take(std::size_t length);
     bool has(std::size_t length);
     void add(std::size_t length, std::string name, std::string value);
+    void add(std::size_t length, std::string const& where, passed_value const& what);
     /// Of the bits in the last bytes those that have names.
     void add_named_bits(std::size_t bytes, unsigned first, std::span<std::uint16_t const> values, std::string_view one,
                         register_space space);

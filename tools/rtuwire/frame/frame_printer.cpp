@@ -35,6 +35,12 @@ void frame_printer::put(decoded_frame const& frame, frame_reading const& reading
     row.add("at", is_flaw ? cell{} : cell{static_cast<std::int64_t>(frame.offset + each.offset)});
     row.add("bytes", hex_of(rtuwire::byte_view{frame.bytes}.subspan(each.offset, each.length)));
     row.add("field", each.name).add("value", each.value);
+    if (not is_table_) { // no program takes a value out of a damaged frame
+        bool const is_value = frame.is_good() and reading.flaw.empty() and not each.label.empty();
+        row.add("register", is_value ? cell{each.label} : cell{})
+            .add("holds", is_value ? each.holds : cell{})
+            .add("measure", is_value and not each.measure.empty() ? cell{each.measure} : cell{});
+    }
     results_.put(row);
     is_first_ = false;
 }

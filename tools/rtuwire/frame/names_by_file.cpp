@@ -23,10 +23,13 @@ passed_value value_at(named_place const& named, unsigned address, std::span<std:
     std::size_t const before = address - named.where.address;
     std::size_t const size = named.where.size();
     std::size_t const count = std::min(size - before, words.size());
-    std::string const text = count == size ? value_of(named, words.first(size)).text
-                                           : "no value: " + hex_words(words.first(count)) + " is " +
-                                                 part_text(before + 1, count) + " of its " + std::to_string(size);
-    return {address, count, named.where.name, text, text};
+    if (count < size) {
+        std::string const text = "no value: " + hex_words(words.first(count)) + " is " + part_text(before + 1, count) +
+                                 " of its " + std::to_string(size);
+        return {address, count, named.where.name, text, text};
+    }
+    formed_value const found = value_of(named, words.first(size));
+    return {address, count, named.where.name, found.text, found.text, found.value, named.where.form.unit};
 }
 
 } // namespace

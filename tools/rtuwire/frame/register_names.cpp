@@ -30,8 +30,9 @@ std::vector<passed_value> names_by_drive::values_at(register_space space, unsign
         return {};
     }
     auto const step = step_of(*entry, drive_); // nobody knows here what sets it
-    std::string const text = full_text(*entry, words[0], step);
-    return {{address, 1, std::string{entry->code}, text, step ? text_of(*entry, words[0], *step) : text}};
+    register_value const found = value_of(*entry, words[0], step);
+    return {{address, 1, std::string{entry->code}, found.text, step ? text_of(*entry, words[0], *step) : found.text,
+             found.value, found.measure}};
 }
 
 std::vector<passed_value> values_in(register_names const* names, register_space space, unsigned first,

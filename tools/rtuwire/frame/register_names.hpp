@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "catalog/catalog.hpp"
+#include "output/record.hpp"
 #include "words/place.hpp"
 
 namespace tool {
@@ -20,6 +21,8 @@ struct passed_value {
     std::string name{};       ///< empty where it has none
     std::string text{};       ///< "230.1 V", as `read` has it
     std::string short_text{}; ///< the same, without the names of a word's bits
+    cell value{};             ///< for programs, as `read` has it; nothing where it has no name, or no value
+    std::string measure{};    ///< "V"
 };
 
 /// Of one device.

@@ -9,28 +9,11 @@ namespace tool {
 
 namespace {
 
-/// Fills in what a whole number of steps is.
-void measure(reading& it, register_entry const& entry, std::uint16_t word, std::optional<step_size> step)
+register_value value_of(register_entry const& entry, std::uint16_t word, register_reader const& from,
+                        drive_catalog const& drive)
 {
-    it.text = full_text(entry, word, step);
-    if (step) {
-        it.value = static_cast<double>(entry.count_of(word)) * static_cast<double>(step->numerator) /
-                   static_cast<double>(step->denominator);
-        it.measure = std::string{entry.unit};
-    }
-}
-
-void explain(reading& it, chosen_register const& which, std::uint16_t word, register_reader const& from,
-             drive_catalog const& drive)
-{
-    register_entry const& entry = *which.entry;
-    if (entry.is_amount()) {
-        auto const setting = entry.steps_set_by.empty() ? std::nullopt : from.known()(entry.steps_set_by);
-        measure(it, entry, word, step_of(entry, drive, setting));
-    } else {
-        it.text = full_text(entry, word);
-        it.value = entry.kind == register_kind::bits ? cell{std::int64_t{word}} : cell{text_of(entry, word)};
-    }
+    auto const setting = entry.steps_set_by.empty() ? std::nullopt : from.known()(entry.steps_set_by);
+    return value_of(entry, word, step_of(entry, drive, setting));
 }
 
 /// Whether the drive's table says what it is: a form that was typed goes before.
@@ -87,7 +70,10 @@ reading reading_of(chosen_register const& which, register_reader const& from, dr
     }
     it.raw = held.words.size() == 1 ? cell{std::int64_t{held.words[0]}} : cell{hex_words(held.words)};
     if (is_named(which) and where.bit < 0 and drive != nullptr) {
-        explain(it, which, held.words[0], from, *drive);
+        register_value const found = value_of(*which.entry, held.words[0], from, *drive);
+        it.value = found.value;
+        it.measure = found.measure;
+        it.text = found.text;
     } else {
         formed_value const formed =
             which.named != nullptr ? value_of(*which.named, held.words) : value_of(where, held.words);
