@@ -220,6 +220,9 @@ public:
         return detail::are_all<contains<Asked>...>;
     }
 
+    /// Calls `visit(list)` for each list: the maps of a drive, whose rows stand in groups.
+    template <typename Visit> static constexpr void for_each_list(Visit const& visit) { (visit(Lists), ...); }
+
     /// Calls `visit(row)` for each, list by list.
     template <typename Visit> static constexpr void for_each_row(Visit&& visit)
     {

@@ -25,9 +25,8 @@ template <typename Drive> std::vector<parameter_group> groups_of()
 {
     std::vector<parameter_group> all;
     if constexpr (has_all_parameters<Drive>) {
-        for (parameter_map const* const each : whole_drive<Drive>::type::registers::maps) {
-            all.insert(all.end(), each->groups().begin(), each->groups().end());
-        }
+        whole_drive<Drive>::type::registers::for_each_list(
+            [&all](parameter_map const& each) { all.insert(all.end(), each.groups().begin(), each.groups().end()); });
     } else {
         all.assign(rows_of_atv28().begin(), rows_of_atv28().end());
     }
