@@ -5,6 +5,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <rtuwire/port.hpp>
 
@@ -23,17 +25,13 @@ using tool::with_drive;
 inline std::optional<rtuwire::character_format> format_named(std::string const& name)
 {
     using rtuwire::character_format;
-    if (name == "8E1") {
-        return character_format::even_8_1;
-    }
-    if (name == "8O1") {
-        return character_format::odd_8_1;
-    }
-    if (name == "8N1") {
-        return character_format::none_8_1;
-    }
-    if (name == "8N2") {
-        return character_format::none_8_2;
+    constexpr std::pair<std::string_view, character_format> known[]{
+        {"8E1", character_format::even_8_1}, {"8O1", character_format::odd_8_1},  {"8N1", character_format::none_8_1},
+        {"8N2", character_format::none_8_2}, {"8E2", character_format::even_8_2}, {"8O2", character_format::odd_8_2}};
+    for (auto const& [word, format] : known) {
+        if (name == word) {
+            return format;
+        }
     }
     return std::nullopt;
 }
@@ -71,7 +69,7 @@ private:
     {
         auto const found = format_named(name);
         if (not found) {
-            throw usage_error{"--format " + name + ": there are only 8E1, 8O1, 8N1 and 8N2"};
+            throw usage_error{"--format " + name + ": there are only 8E1, 8O1, 8N1, 8N2, 8E2 and 8O2"};
         }
         return *found;
     }

@@ -5,6 +5,7 @@
 #include <rtuwire/port/posix_serial.hpp>
 
 #include <cstddef>
+#include <string>
 
 #include "support/catch.hpp"
 
@@ -46,15 +47,17 @@ TEST_CASE("defect: D36 a port opens at any rate, and again at a usual one")
     if (not takes_any(look)) {
         return;
     }
-    for (std::uint32_t const rate : {60U, 300U, 600U, 1'800U, 9'600U, 31'250U, 76'800U, 115'200U, 250'000U, 12'345U}) {
+    for (std::uint32_t const rate : {65U, 300U, 600U, 1'800U, 9'600U, 31'250U, 76'800U, 115'200U, 250'000U, 12'345U}) {
         CAPTURE(rate);
-        auto const format = rate == 300 ? character_format::even_8_1 : character_format::none_8_1;
+        auto const format = rate == 300      ? character_format::even_8_1
+                            : rate == 31'250 ? character_format::odd_8_2
+                                             : character_format::none_8_1;
         posix_serial port;
         REQUIRE(port.open(far.path(), {.bits_per_second = rate, .format = format}));
         auto const kernel = test::line_of(look.number());
         CHECK(kernel.output_rate == rate);
         CHECK(kernel.input_rate == rate);
-        CHECK_FALSE(kernel.has_two_stop_bits);
+        CHECK(kernel.has_two_stop_bits == (rate == 31'250));
         // The rest is as at a usual rate.
         termios line{};
         REQUIRE(::tcgetattr(look.number(), &line) == 0);
@@ -90,9 +93,12 @@ TEST_CASE("defect: D36 a rate that no line has is refused by its number")
     pseudo_terminal far;
     REQUIRE(far.open());
     posix_serial port;
-    CHECK(port.open(far.path(), {.bits_per_second = 49}) == errc::device_setting_refused);
-    CHECK(port.failure() ==
-          far.path() + ": the device refuses the line settings (49 bit/s are no rate of this system)");
+    for (std::uint32_t const none : {49U, 64U}) {
+        CHECK(port.open(far.path(), {.bits_per_second = none}) == errc::device_setting_refused);
+        CHECK(port.failure() == far.path() + ": the device refuses the line settings (" + std::to_string(none) +
+                                    " bit/s are no rate of this system)");
+    }
+    CHECK(is_bit_rate(65) == takes_any_rate);
 }
 
 TEST_CASE("the kernel's structure and numbers are those of its header")

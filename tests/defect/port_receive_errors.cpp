@@ -216,7 +216,7 @@ TEST_CASE("defect: (i) a device is told to mark what arrives damaged")
     pseudo_terminal far;
     REQUIRE(far.open());
     descriptor const look{::open(far.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
-    for (auto const format : {character_format::even_8_1, character_format::none_8_2}) {
+    for (auto const format : {character_format::even_8_1, character_format::none_8_2, character_format::odd_8_2}) {
         posix_serial port;
         REQUIRE(port.open(far.path(), {.format = format}));
         termios line{};

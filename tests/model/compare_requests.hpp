@@ -24,13 +24,15 @@ inline setting any_setting(random_source& roll)
 {
     return {roll.chance(70) ? 0U - 5'000'000U + roll.below(1'000) : static_cast<std::uint32_t>(roll.next()),
             roll.any<std::uint32_t>({4'800, 9'600, 19'200, 38'400, 115'200, 0}),
-            roll.any<microseconds>({0, 0, 1'000, 8'000, 50'000}), roll.any<microseconds>({11, 11, 10}),
+            roll.any<microseconds>({0, 0, 1'000, 8'000, 50'000}), roll.any<microseconds>({11, 10, 12}),
             any_silence(roll)};
 }
 inline rtuwire::line_timing timing(setting const& as)
 {
     using enum rtuwire::character_format;
-    rtuwire::character_format const format = as.bits_by_character == 10 ? none_8_1 : even_8_1;
+    rtuwire::character_format const format = as.bits_by_character == 10   ? none_8_1
+                                             : as.bits_by_character == 12 ? odd_8_2
+                                                                          : even_8_1;
     return line_of(as.bits, format, as.end, as.silence);
 }
 

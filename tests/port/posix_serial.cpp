@@ -209,6 +209,8 @@ TEST_CASE("control flags are those of the character format")
     CHECK((control_flags(character_format::odd_8_1) & (PARENB | PARODD | CSTOPB)) == (PARENB | PARODD));
     CHECK((control_flags(character_format::none_8_1) & (PARENB | PARODD | CSTOPB)) == 0);
     CHECK((control_flags(character_format::none_8_2) & (PARENB | PARODD | CSTOPB)) == CSTOPB);
+    CHECK((control_flags(character_format::even_8_2) & (PARENB | PARODD | CSTOPB)) == (PARENB | CSTOPB));
+    CHECK((control_flags(character_format::odd_8_2) & (PARENB | PARODD | CSTOPB)) == (PARENB | PARODD | CSTOPB));
 }
 
 TEST_CASE("a device that vanishes is an error at once, and again")

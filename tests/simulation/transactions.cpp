@@ -274,7 +274,9 @@ wiring wiring_of(std::uint32_t seed)
 {
     wiring how;
     how.seed = seed;
-    how.format = seed % 3 == 0 ? character_format::none_8_1 : character_format::even_8_1;
+    how.format = seed % 3 == 0   ? character_format::none_8_1
+                 : seed % 7 == 0 ? character_format::even_8_2
+                                 : character_format::even_8_1;
     how.has_adapter = seed % 5 == 0;
     how.options.has_line_echo = seed % 4 == 0;
     return how;

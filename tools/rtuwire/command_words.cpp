@@ -43,7 +43,7 @@ void add_line_options(CLI::App& app, line_choices& line)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->default_str(line.unit);
     app.add_option("-b,--baud", line.baud, "bits a second")->capture_default_str();
-    app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
+    app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1, 8N2, 8E2 or 8O2")->capture_default_str();
     app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it; none: it is no drive");
     app.add_option("--device", line.device,
                    "a register file of what is no drive: names of its registers, for all that reads, writes or shows "

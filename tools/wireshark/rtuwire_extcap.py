@@ -17,7 +17,7 @@ import sys
 INTERFACE = "rtuwire"
 LINK_TYPE = 228  # the UDP form; the file itself says it, too
 RATES = (1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200)
-FORMATS = ("8E1", "8O1", "8N1", "8N2")
+FORMATS = ("8E1", "8O1", "8N1", "8N2", "8E2", "8O2")
 
 
 def capture_command(program, port, baud, form, fifo):

@@ -110,11 +110,11 @@ inline constexpr bool takes_any_rate = RTUWIRE_TAKES_ANY_RATE == 1;
 
 #undef RTUWIRE_TAKES_ANY_RATE
 
-/// Whether a device may be opened at a rate; whether its driver keeps it only `open` tells. From 60 bit/s on, as a
+/// Whether a device may be opened at a rate; whether its driver keeps it only `open` tells. From 65 bit/s on, as a
 /// `line_timing`.
 [[nodiscard]] inline bool is_bit_rate(std::uint32_t bits_per_second) noexcept
 {
-    constexpr std::uint32_t lowest = 60;
+    constexpr std::uint32_t lowest = 65;
     return bits_per_second >= lowest and (detail::takes_any_rate or speed_code(bits_per_second));
 }
 
@@ -235,6 +235,8 @@ inline constexpr duration terminal_timer = milliseconds(100);
     case character_format::odd_8_1: return common | PARENB | PARODD;
     case character_format::none_8_1: return common;
     case character_format::none_8_2: return common | CSTOPB;
+    case character_format::even_8_2: return common | PARENB | CSTOPB;
+    case character_format::odd_8_2: return common | PARENB | PARODD | CSTOPB;
     }
     return common;
 }

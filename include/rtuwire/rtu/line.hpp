@@ -41,19 +41,19 @@ template <typename Setting> inline constexpr bool is_constant = std::is_empty_v<
 
 } // namespace detail
 
-/// Data bits, parity and stop bits. The specification requires 11 bits, `even_8_1` by default; the ATV28 uses
-/// `none_8_1`, of 10 bits.
-enum class character_format : std::uint8_t { even_8_1, odd_8_1, none_8_1, none_8_2 };
+/// Data bits, parity and stop bits. The specification requires 11 bits, `even_8_1` by default (SL 2.5.1). Others are met
+/// in the field, and are not its own: `none_8_1`, of 10 bits, as the ATV28 has it; parity and two stop bits, of 12.
+enum class character_format : std::uint8_t { even_8_1, odd_8_1, none_8_1, none_8_2, even_8_2, odd_8_2 };
 
 /// Not constexpr, so that in a constant expression the compiler reports its name. At run time it does nothing.
-inline void the_bit_rate_of_a_line_is_at_least_60() noexcept {}
+inline void the_bit_rate_of_a_line_is_at_least_65() noexcept {}
 
 namespace detail {
 
-/// Bits of one character, start bit included: 10 or 11.
+/// Bits of one character, start bit included: 10 to 12.
 [[nodiscard]] constexpr std::uint32_t bits_per_character(character_format format) noexcept
 {
-    return format == character_format::none_8_1 ? 10 : 11;
+    return format == character_format::none_8_1 ? 10 : format < character_format::even_8_2 ? 11 : 12;
 }
 
 } // namespace detail
@@ -62,8 +62,8 @@ namespace detail {
 class line_timing {
 public:
     /// Times for a receiver that gets each character as it ends, or has a hardware buffer of a few: a frame
-    /// without a length rule ends after t3.5. `bits_per_second` is at least 60, where a frame lasts 47 s: what is below
-    /// does not compile in a constant expression and counts as 60 at run time, 0 too.
+    /// without a length rule ends after t3.5. `bits_per_second` is at least 65, where a frame lasts 47 s: what is below
+    /// does not compile in a constant expression and counts as 65 at run time, 0 too.
     constexpr line_timing(std::uint32_t bits_per_second, character_format format) noexcept
         : character_{bit_times(2, bits_per_second, format)}, t3_5_{bits_per_second > 19'200
                                                                        ? microseconds(1750)
@@ -137,7 +137,7 @@ public:
     /// Whether bytes take time on a wire, which may lose some; not so of `without_wire`.
     [[nodiscard]] constexpr bool has_wire() const noexcept { return character_.microseconds != 0; }
 
-    /// The time that `count` characters take, at most a frame's: 47 s at 60 bit/s.
+    /// The time that `count` characters take, at most a frame's: 47 s at 65 bit/s and 12 bits.
     [[nodiscard]] constexpr duration characters(std::size_t count) const noexcept
     {
         return duration{character_.microseconds * static_cast<std::uint32_t>(count)};
@@ -166,9 +166,9 @@ private:
     static constexpr duration bit_times(std::uint32_t half_characters, std::uint32_t bits_per_second,
                                         character_format format) noexcept
     {
-        constexpr std::uint32_t lowest = 60;
+        constexpr std::uint32_t lowest = 65;
         if (bits_per_second < lowest) {
-            the_bit_rate_of_a_line_is_at_least_60();
+            the_bit_rate_of_a_line_is_at_least_65();
             bits_per_second = lowest;
         }
         std::uint32_t const bits_by_million = half_characters * detail::bits_per_character(format) * 500'000U;

@@ -78,7 +78,8 @@ constexpr bool keeps_every_byte(character_format format)
 constexpr bool keeps_every_byte_in_every_format()
 {
     return keeps_every_byte(character_format::even_8_1) and keeps_every_byte(character_format::odd_8_1) and
-           keeps_every_byte(character_format::none_8_1) and keeps_every_byte(character_format::none_8_2);
+           keeps_every_byte(character_format::none_8_1) and keeps_every_byte(character_format::none_8_2) and
+           keeps_every_byte(character_format::even_8_2) and keeps_every_byte(character_format::odd_8_2);
 }
 PROOF("every byte survives its bits", keeps_every_byte_in_every_format)
 

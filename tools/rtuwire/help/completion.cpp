@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "catalog/catalog.hpp"
+#include "line/line_words.hpp"
 #include "words/register_words.hpp"
 
 namespace tool {
@@ -26,6 +27,15 @@ std::string drives()
     std::vector<std::string> names;
     for (drive_catalog const* const each : all_catalogs()) {
         names.emplace_back(each->name);
+    }
+    return joined(names);
+}
+
+std::string formats()
+{
+    std::vector<std::string> names;
+    for (named_format const& each : all_formats) {
+        names.emplace_back(each.name);
     }
     return joined(names);
 }
@@ -150,7 +160,9 @@ std::string choices_of_words(tool_texts const& texts)
            "        -d|--drive) choose \"" +
            drives() + " none" +
            "\"; return ;;\n"
-           "        -f|--format|--formats) choose '8E1 8N1 8O1 8N2'; return ;;\n"
+           "        -f|--format|--formats) choose '" +
+           formats() +
+           "'; return ;;\n"
            "        -b|--baud|--bauds) choose '4800 9600 19200 38400 57600 115200'; return ;;\n"
            "        --as) choose 'udp user0 rtac upper-pdu'; return ;;\n"
            "        -p|--port) choose \"$(ls /dev/ttyUSB* /dev/ttyACM* /dev/ttyS* /dev/serial/by-id/* 2>/dev/null)\"; "

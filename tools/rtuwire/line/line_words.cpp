@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -89,17 +90,19 @@ void refuse_contradiction(named_unit const& before, named_unit const& one)
 
 rtuwire::character_format format_in(std::string const& word)
 {
-    using rtuwire::character_format;
-    constexpr std::pair<std::string_view, character_format> known[] = {{"8E1", character_format::even_8_1},
-                                                                       {"8O1", character_format::odd_8_1},
-                                                                       {"8N1", character_format::none_8_1},
-                                                                       {"8N2", character_format::none_8_2}};
-    for (auto const& [name, format] : known) {
-        if (word == name) {
-            return format;
+    std::string known;
+    for (named_format const& each : all_formats) {
+        if (word == each.name) {
+            return each.format;
         }
+        known += (known.empty() ? "" : &each == std::end(all_formats) - 1 ? " and " : ", ") + std::string{each.name};
     }
-    refuse_word("'" + word + "' is no format: there are 8E1, 8N1, 8O1 and 8N2");
+    refuse_word("'" + word + "' is no format: there are " + known);
+}
+
+std::string name_of_format(rtuwire::character_format format)
+{
+    return std::string{std::ranges::find(all_formats, format, &named_format::format)->name};
 }
 
 std::uint32_t baud_in(unsigned number)

@@ -15,8 +15,22 @@
 
 namespace tool {
 
+/// The formats of a character, as they are typed. Parity and two stop bits, of 12 bits, are met in the field and are not the
+/// standard's.
+struct named_format {
+    std::string_view name;
+    rtuwire::character_format format;
+};
+inline constexpr named_format all_formats[]{
+    {"8E1", rtuwire::character_format::even_8_1}, {"8N1", rtuwire::character_format::none_8_1},
+    {"8O1", rtuwire::character_format::odd_8_1},  {"8N2", rtuwire::character_format::none_8_2},
+    {"8E2", rtuwire::character_format::even_8_2}, {"8O2", rtuwire::character_format::odd_8_2}};
+
 /// "8E1"; refuses others.
 rtuwire::character_format format_in(std::string const& word);
+
+/// "8E1".
+std::string name_of_format(rtuwire::character_format format);
 
 /// A bit rate that this system has; refuses others.
 std::uint32_t baud_in(unsigned number);

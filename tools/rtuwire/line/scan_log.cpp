@@ -14,6 +14,7 @@
 
 #include "catalog/catalog.hpp"
 #include "exit_status.hpp"
+#include "line/line_words.hpp"
 #include "output/plain_text.hpp"
 
 namespace tool {
@@ -64,10 +65,9 @@ std::optional<noted_address> asked_address(std::string const& key)
     if (not baud or not rtuwire::is_bit_rate(*baud) or not unit or not rtuwire::unit_id::checked(*unit)) {
         return std::nullopt;
     }
-    for (auto const format : {rtuwire::character_format::even_8_1, rtuwire::character_format::odd_8_1,
-                              rtuwire::character_format::none_8_1, rtuwire::character_format::none_8_2}) {
-        if (name_of_format(format) == parts[1]) {
-            return noted_address{{*baud, format}, static_cast<std::uint8_t>(*unit)};
+    for (named_format const& each : all_formats) {
+        if (each.name == parts[1]) {
+            return noted_address{{*baud, each.format}, static_cast<std::uint8_t>(*unit)};
         }
     }
     return std::nullopt;
@@ -107,18 +107,6 @@ std::optional<noted_address> noted_in(std::string const& line)
 }
 
 } // namespace
-
-std::string name_of_format(rtuwire::character_format format)
-{
-    using rtuwire::character_format;
-    switch (format) {
-    case character_format::even_8_1: return "8E1";
-    case character_format::odd_8_1: return "8O1";
-    case character_format::none_8_1: return "8N1";
-    case character_format::none_8_2: return "8N2";
-    }
-    return {};
-}
 
 scan_log::scan_log(std::string const& file) : file_{file}
 {

@@ -35,7 +35,4 @@ private:
     appended_file out_{};
 };
 
-/// "8E1".
-std::string name_of_format(rtuwire::character_format format);
-
 } // namespace tool

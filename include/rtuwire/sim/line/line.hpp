@@ -34,8 +34,10 @@ struct received_byte {
 {
     std::uint32_t const even = static_cast<std::uint32_t>(std::popcount(byte)) & 1U;
     switch (format) {
-    case character_format::even_8_1: return even;
-    case character_format::odd_8_1: return even ^ 1U;
+    case character_format::even_8_1:
+    case character_format::even_8_2: return even;
+    case character_format::odd_8_1:
+    case character_format::odd_8_2: return even ^ 1U;
     case character_format::none_8_1:
     case character_format::none_8_2: break;
     }
@@ -51,7 +53,7 @@ struct received_byte {
     return data << 1U | parity << 9U | stop_bits << 10U;
 }
 
-/// Decodes the bits that begin with a start bit, as a receiver does.
+/// Decodes the bits that begin with a start bit, as a receiver does: it looks at the first stop bit only.
 [[nodiscard]] constexpr received_byte receive_character(character_format format, std::uint32_t bits) noexcept
 {
     auto const byte = static_cast<std::uint8_t>(bits >> 1U);
