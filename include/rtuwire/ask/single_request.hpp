@@ -41,10 +41,15 @@ template <typename Request>
     requires std::same_as<std::remove_cv_t<decltype(Request::code)>, function_code>
 inline constexpr function_set function_of<Request>{Request::code};
 
+/// Whether a request may go to everyone, or to the only unit of a line, at address 0.
+template <typename Request, typename To>
+inline constexpr bool may_go_to_0 =
+    broadcastable<Request> ? std::same_as<To, broadcast_t> : std::same_as<To, only_unit_t>;
+
 /// Where a request goes; to a unit where it may not go there, so that nothing more is said than why it may not.
 template <typename Request, typename To> [[nodiscard]] constexpr auto where_it_may_go(To whom) noexcept
 {
-    if constexpr (std::same_as<To, unit_id> or (std::same_as<To, broadcast_t> and broadcastable<Request>)) {
+    if constexpr (std::same_as<To, unit_id> or may_go_to_0<Request, To>) {
         return whom;
     } else {
         return unit_id{1};
@@ -127,8 +132,9 @@ private:
 
 } // namespace detail
 
-/// The conversation of one request of a type: `single_request ask{unit_id{7}, read_holding_registers{...}}`.
-template <detail::pdu Request>
+/// The conversation of one request of a type: `single_request ask{unit_id{7}, read_holding_registers{...}}`; `OfOnlyUnit` where
+/// it goes to `only_unit`.
+template <detail::pdu Request, bool OfOnlyUnit = false>
 class single_request
     : public detail::sized_request<Request::max_size + detail::adu_overhead, detail::largest_response<Request>> {
     static_assert(detail::has_response_check<Request> or not detail::names_response_check<Request>,
@@ -140,6 +146,7 @@ class single_request
 public:
     using request_type = Request;
     static constexpr function_set asks = detail::function_of<Request>;
+    static constexpr bool asks_only_unit = OfOnlyUnit;
 
     using base::base;
 
@@ -147,8 +154,13 @@ public:
     constexpr single_request(To whom, Request const& its_request) noexcept
         : base{detail::where_it_may_go<Request>(whom), its_request}
     {
-        static_assert(std::same_as<To, unit_id> or std::same_as<To, detail::broadcast_t>,
+        static_assert(std::same_as<To, unit_id> or std::same_as<To, detail::broadcast_t> or
+                          std::same_as<To, detail::only_unit_t>,
                       "a request goes to a unit, unit_id{7}, or to all of them, broadcast: not to a plain number");
+        static_assert(OfOnlyUnit == std::same_as<To, detail::only_unit_t>,
+                      "the type of a request to only_unit is single_request<Request, true>, and of no other");
+        static_assert(not OfOnlyUnit or not detail::broadcastable<Request>,
+                      "what may be broadcast is one at address 0, which nobody answers: send it to broadcast");
         static_assert(not std::same_as<To, detail::broadcast_t> or detail::broadcastable<Request>,
                       "a broadcast has no response, so only a write can be broadcast");
     }
@@ -168,7 +180,8 @@ public:
     }
 };
 
-template <typename To, detail::pdu Request> single_request(To, Request) -> single_request<Request>;
+template <typename To, detail::pdu Request>
+single_request(To, Request) -> single_request<Request, std::same_as<To, detail::only_unit_t>>;
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

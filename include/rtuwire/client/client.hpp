@@ -344,6 +344,10 @@ public:
     {
         static_assert(detail::has_what_it_declares<Conversation>());
         static_assert(detail::has_all_for<Needs, Conversation>());
+        static_assert(
+            Needs.has_only_unit or not detail::asks_only_unit<Conversation>(),
+            "this client sends broadcasts to address 0, where the conversation asks a unit: on a line with one "
+            "unit, give its client_needs has_only_unit");
         if (conversation.settled() and not turns().is_last(conversation)) {
             return detail::turn_result::passed;
         }
@@ -364,9 +368,10 @@ public:
             return detail::turn_result::passed;
         }
         std::uint8_t const unit = request->frame().empty() ? std::uint8_t{0} : detail::to_u8(request->frame()[0]);
-        if (is_barred(unit, what)) {
+        if (is_barred(detail::asks_only_unit<Conversation>() ? detail::any_unit : unit, what)) {
             return schedule_.put_off(conversation);
         }
+        transaction().expect(detail::asks_only_unit<Conversation>());
         errc const wrong = start(detail::as_declared<Conversation>(*request), now, unit, with,
                                  detail::timeout_of(conversation, with.response_timeout));
         if (wrong != errc::none) {
@@ -455,7 +460,8 @@ private:
     /// not waited for has also fed its unit's watchdog.
     constexpr result<response> take_and_note_outcome(instant now) noexcept
     {
-        orders_.note_outcome(asked_unit(), transaction().heard_of_unit(), transaction().was_repeated(), now);
+        orders_.note_outcome(transaction().held_unit(), transaction().heard_of_unit(), transaction().was_repeated(),
+                             now);
         return transaction().take_outcome();
     }
 

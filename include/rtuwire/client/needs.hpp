@@ -95,6 +95,9 @@ template <typename Functions = public_functions, typename Observer = detail::no_
     std::size_t quarantine_places{1};
     /// How many units it may order to run their motors at once; 0 for one that commands none.
     std::size_t motors{0};
+    /// Whether its line may have one unit alone, which answers at address 0: it then also asks `only_unit`. What this unit owes
+    /// keeps every unit from being asked, and a late response of it counts as `noise`.
+    bool has_only_unit{false};
 };
 
 /// A client of all functions whose line is given to its constructor.
@@ -146,7 +149,8 @@ template <auto const& Needs> struct told_by {
                 .longest_frame = Needs.longest_frame,
                 .request_room = Needs.request_room,
                 .quarantine_places = quarantine_places,
-                .motors = motors};
+                .motors = motors,
+                .has_only_unit = Needs.has_only_unit};
     }
 };
 
@@ -178,6 +182,15 @@ template <typename Conversation, typename... Functions>
         return false;
     } else if constexpr (requires { Conversation::asks; }) {
         return ((has_own_format<Functions> and Conversation::asks.contains(function_row<Functions>::code)) or ...);
+    }
+    return false;
+}
+
+/// Whether a conversation asks the only unit of a line, at address 0, as its type tells: `static constexpr bool asks_only_unit`.
+template <typename Conversation> [[nodiscard]] consteval bool asks_only_unit() noexcept
+{
+    if constexpr (requires { requires Conversation::asks_only_unit; }) {
+        return true;
     }
     return false;
 }

@@ -137,12 +137,21 @@ template <detail::broadcastable Pdu>
     return detail::encode_adu(out, to.byte(), value);
 }
 
+/// Writes the frame of a request to the only unit of a line, at address 0, into `out`; returns the part written.
+template <detail::pdu Pdu>
+    requires(not detail::broadcastable<Pdu>)
+[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, detail::only_unit_t, Pdu const& value) noexcept
+{
+    return detail::encode_adu(out, 0, value);
+}
+
 /// The frame of a request or response, as a value. Store it in a variable before taking a view of its bytes.
 /// A request that needs a response cannot be broadcast: that does not compile.
 template <typename To, detail::pdu Pdu>
 [[nodiscard]] constexpr result<detail::frame_of<Pdu>> encode(To to, Pdu const& value) noexcept
 {
-    static_assert(std::same_as<To, unit_id> or detail::broadcastable<Pdu>,
+    constexpr bool is_of_one = std::same_as<To, unit_id> or std::same_as<To, detail::only_unit_t>;
+    static_assert(is_of_one or detail::broadcastable<Pdu>,
                   "a broadcast has no response, so only a write can be broadcast");
     detail::frame_of<Pdu> frame;
     auto const written = encode_into(frame.storage(), to, value);

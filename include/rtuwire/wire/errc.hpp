@@ -62,7 +62,7 @@ enum class errc : std::uint8_t {
     buffer_too_small = 0x80,
     /// A unit address outside 1..247, or outside of what this drive can be set to.
     /// Remedy: Give an address that the unit can have; everybody at once is `broadcast`. A unit that answers to 248 to 255
-    /// is asked by `unit_id::reserved(248)`, or `unit_id::checked_reserved(n)`.
+    /// is asked by `unit_id::reserved(248)`, or `unit_id::checked_reserved(n)`; one that answers at 0, by `only_unit`.
     invalid_unit = 0x81,
     /// A quantity of 0, or above the limit of the function.
     /// Remedy: Ask for less: 125 registers of one read, 123 of one write, 2000 bits; a drive takes fewer.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The address of a frame: a unit, 1..247, or broadcast (SL 2.2); by express permission a reserved one. A value of these types is always valid on
-// the wire, so that a function that takes one need not check it.
+// The address of a frame: a unit, 1..247, or broadcast (SL 2.2); by express permission a reserved one, or 0 for the only unit
+// of a line. A value of these types is always valid on the wire, so that a function that takes one need not check it.
 #pragma once
 
 #include <compare>
@@ -114,9 +114,18 @@ namespace detail {
 /// Every unit on the line; none answers.
 struct broadcast_t {};
 
+/// The one unit of a line, at address 0.
+struct only_unit_t {};
+
 } // namespace detail
 
 inline constexpr detail::broadcast_t broadcast{};
+
+/// Address 0 of a line with one unit that answers there, whatever its own address is: `single_request{only_unit,
+/// read_holding_registers{0, 1}}`, on a client whose `client_needs` say `has_only_unit`. The response has address 0, too. What
+/// may be broadcast is not sent so: a write to address 0 stays a `broadcast`, which nobody confirms. No `unit_id`, so that no
+/// drive is asked or commanded so.
+inline constexpr detail::only_unit_t only_unit{};
 
 namespace detail {
 

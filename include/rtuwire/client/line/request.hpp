@@ -233,6 +233,21 @@ public:
     static constexpr void take() noexcept {}
 };
 
+/// Whether a request to address 0 has a response; where no client's needs say so, it is a broadcast and takes no memory.
+template <bool HasOnlyUnit> class address_0 {
+public:
+    constexpr void expect(bool response) noexcept { has_response_ = response; }
+    [[nodiscard]] constexpr bool has_response() const noexcept { return has_response_; }
+
+private:
+    bool has_response_{false};
+};
+template <> class address_0<false> {
+public:
+    static constexpr void expect(bool) noexcept {}
+    [[nodiscard]] static constexpr bool has_response() noexcept { return false; }
+};
+
 // Until when a unit gets no new request, because an outstanding response could be taken for the response to the new
 // request: RTU responses carry no number.
 //
@@ -367,6 +382,9 @@ private:
     std::uint16_t unanswered_{0}; ///< at the end, so that no bytes are left before its holder's next member
 };
 
+/// Stands for all units, in the place of a unit's address. No other unit has it: a reserved one is kept apart from none.
+inline constexpr std::uint8_t any_unit = 0xFF;
+
 /// One unit (0: none), and until when it gets no new request.
 struct quarantine_entry {
     instant end;
@@ -401,7 +419,7 @@ public:
         if (own.unit == nobody or reached(end, own.end)) {
             own.end = end;
         }
-        own.unit = own.unit == nobody or own.unit == unit ? unit : everybody;
+        own.unit = own.unit == nobody or own.unit == unit ? unit : any_unit;
     }
 
     /// Lets time pass. Returns whether one of the times was over.
@@ -455,12 +473,10 @@ public:
 
 private:
     static constexpr std::uint8_t nobody = 0;
-    /// Stands for all units; no unit has it.
-    static constexpr std::uint8_t everybody = 0xFF;
 
     static constexpr bool stands_for(quarantine_entry const& each, std::uint8_t unit) noexcept
     {
-        return each.unit == unit or each.unit == everybody;
+        return each.unit == unit or each.unit == any_unit;
     }
 
     /// `covers` for several units. A function of its own: it is called in several places, and in more for each kind of

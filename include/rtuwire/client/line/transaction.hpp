@@ -123,7 +123,7 @@ public:
         framer_.restart(at);
         observer_.on_sent(request(), frame_role::request, at);
         noise_.begin(options().max_leading_noise);
-        if (unit() == 0) {
+        if (is_broadcast()) {
             return turn_around(at);
         }
         phase_ = phase::awaiting;
@@ -192,6 +192,8 @@ public:
     }
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
     [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return request_.unit(); }
+    /// Whom its outcome concerns: where a unit answers at address 0, any.
+    [[nodiscard]] constexpr std::uint8_t held_unit() const noexcept { return at_0_.has_response() ? any_unit : unit(); }
     [[nodiscard]] constexpr duration time_to_send() const noexcept { return request_.time_to_send(line()); }
     [[nodiscard]] constexpr client_phase phase_now() const noexcept { return phase_; }
 
@@ -215,6 +217,9 @@ public:
 
     // The request under way.
 
+    /// Whether the next request, to address 0, has a response.
+    constexpr void expect(bool response_at_0) noexcept { at_0_.expect(response_at_0); }
+
     /// Takes a request: copies its frame to the front of the memory. Errors: those of `kept_request::keep`.
     constexpr errc start(request_frame const& asked, instant now, retry_policy const& with) noexcept
     {
@@ -223,7 +228,7 @@ public:
         }
         may_not_wait_ = not asked.may_be_repeated();
         is_woken_ = false;
-        retries_.begin(with, asked.may_be_repeated() and unit() != 0);
+        retries_.begin(with, asked.may_be_repeated() and not is_broadcast());
         wait_for_silence(now);
         if (is_quiet()) {
             get_ready(now);
@@ -245,7 +250,7 @@ public:
         if (phase_ != phase::waiting) {
             return phase_ == phase::settled;
         }
-        return is_quiet() and (is_of_stop or not quarantine_.covers(unit()));
+        return is_quiet() and (is_of_stop or not quarantine_.covers(held_unit()));
     }
 
     /// Gives up a request that waits for its asker.
@@ -298,7 +303,7 @@ public:
     {
         phase_ = phase::idle;
         return error_ != errc::none ? result<response>{error_}
-                                    : response{unit() == 0 ? byte_view{} : framer_.frame(memory_).pdu()};
+                                    : response{is_broadcast() ? byte_view{} : framer_.frame(memory_).pdu()};
     }
 
     /// The next pass has something to do at once.
@@ -314,6 +319,8 @@ private:
     // The request.
 
     constexpr std::uint8_t unit() const noexcept { return request_.unit(); }
+    /// Whether no unit answers it.
+    constexpr bool is_broadcast() const noexcept { return unit() == 0 and not at_0_.has_response(); }
     constexpr byte_view request() const noexcept { return request_.bytes(memory_); }
 
     /// Constructed anew: GCC would read a constant's copy from memory.
@@ -381,7 +388,7 @@ private:
                 error_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
             }
             if (is_leaving(phase_)) { // it may have left just now
-                if (unit() == 0) {
+                if (is_broadcast()) {
                     return turn_around(now);
                 }
                 static_cast<void>(note_sent(now));
@@ -421,10 +428,10 @@ private:
         leave_begun();
         error_ = error;
         bool const owes = retries_.unanswered() != 0;
-        if (owes or (retries_.pause() != duration{} and unit() != 0)) {
+        if (owes or (retries_.pause() != duration{} and not is_broadcast())) {
             bool const has_response = not owes or error_ == errc::none or is_exception(error_);
             duration const late = late_response();
-            quarantine_.begin(unit(),
+            quarantine_.begin(held_unit(),
                               has_response ? now + retries_.all_that_follow(now, late) : retries_.owed_until(now));
         }
         phase_ = phase::settled;
@@ -689,6 +696,7 @@ private:
     bool may_not_wait_{false}; ///< bytes on the line end the request once it is ready
     [[no_unique_address]] line_echo echo_;
     [[no_unique_address]] noise_allowance<Options> noise_{};
+    [[no_unique_address]] address_0<Needs.has_only_unit> at_0_;
     [[no_unique_address]] retry_state retries_;
     [[no_unique_address]] kept_request<Functions> request_;
     instant deadline_{0};
