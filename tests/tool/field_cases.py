@@ -5,63 +5,10 @@
     python3 field_cases.py TOOL PART
 """
 import os
-import socket
-import threading
 import time
 
-from support import DIFFERS, DONE, NO_ANSWER, Line, Tool, runs, with_crc
-
-
-class Unit:
-    """Answers each request of function 3 by what `said` makes of it: bytes, or (seconds to wait first, bytes) in a list."""
-
-    def __init__(self, said):
-        self.said, self.requests, self.times = said, [], []
-
-    def take(self, request, send):
-        self.requests.append(request)
-        self.times.append(time.monotonic())
-        answer = self.said(request)
-        for wait, data in answer if isinstance(answer, list) else [(0, answer)]:
-            time.sleep(wait)
-            send(data)
-
-
-class UnitOnLine(Line):
-    """with UnitOnLine(said) as line: ... line.name, line.unit.requests"""
-
-    def __init__(self, said):
-        super().__init__()
-        self.unit = Unit(said)
-
-    def hear(self, data):
-        self.unit.take(data, self.say)
-
-
-class UnitOnTcp:
-    """The same behind a TCP port."""
-
-    def __init__(self, said):
-        self.unit = Unit(said)
-        self.listening = socket.create_server(("127.0.0.1", 0))
-        self.name = f"tcp://127.0.0.1:{self.listening.getsockname()[1]}"
-        threading.Thread(target=self.serve, daemon=True).start()
-
-    def serve(self):
-        while True:
-            try:
-                line, _ = self.listening.accept()
-            except OSError:
-                return
-            line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            while request := line.recv(512):
-                self.unit.take(request, line.sendall)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.listening.close()
+from field_units import UnitOnLine, UnitOnTcp
+from support import DIFFERS, DONE, NO_ANSWER, Tool, runs, with_crc
 
 
 def words_of(request):
@@ -228,13 +175,26 @@ def check_any_unit(tool, check):
         ended = tool.run(*reading(line, "-u", 248, "--any-unit", "--json"), "0x1234")
         check(ended.status == DONE and ended.objects()[0]["raw"] == 0x1234, "W06: 248 is read", ended)
         check(line.unit.requests[-1] == bytes.fromhex("F80312340001") + with_crc(bytes.fromhex("F80312340001"))[-2:], "by a frame to F8", line.unit.requests)
-        for unit in (0, 256, 300):
+        for unit in (256, 300, "0,1", "0-1", "248,249"):
             check(tool.run(*reading(line, "-u", unit, "--any-unit"), "0x1234").status == 2, f"{unit} is none all the same")
+        ended = tool.run(*reading(line, "-u", 0, "--any-unit", "--json"), "0x1234", "input:7")
+        check(ended.status == DONE and [each["raw"] for each in ended.objects()] == [0x1234, 7]
+              and {each["unit"] for each in ended.objects()} == {0}, "0 is read", ended)
+        check([each[0] for each in line.unit.requests[-2:]] == [0, 0], "by frames to 00", line.unit.requests)
+        ended = tool.run(*reading(line, "-u", 0, "--any-unit", "--csv")[:-1], "watch", "0x1234", "--every", "20ms", "--for", "0.2s")
+        check(ended.status == DONE and all(each["4660"] == "4660" for each in ended.rows()), "and watched", ended)
         asked = len(line.unit.requests)
-        for command in (["--write", "write", "100=1"], ["stop"], ["--allow-run", "start", "--frequency", "5Hz"], ["scan"]):
-            ended = tool.run("--port", line.name, "--no-listen", "-u", 248, "--any-unit", *command)
+        for unit, command in ((unit, command) for unit in (0, 248) for command in (
+                ["--write", "write", "100=1"], ["stop"], ["--allow-run", "start", "--frequency", "5Hz"], ["scan"])):
+            ended = tool.run("--port", line.name, "--no-listen", "-u", unit, "--any-unit", *command)
             check(ended.status == 2 and "--any-unit is for read, watch and identify" in ended.errors, f"no {command}", ended)
+            ended = tool.run("--port", line.name, "--no-listen", "-u", unit, *command) if command[-1] != "scan" else ended
+            check(ended.status == 2, f"no {command} at {unit}", ended)
         check(len(line.unit.requests) == asked, "and nothing is sent for it", line.unit.requests[asked:])
+    own = lambda request: with_crc(b"\x05" + good(b"\x05" + request[1:])[1:-2])
+    with UnitOnLine(own) as line:
+        ended = tool.run(*reading(line, "-u", 0, "--any-unit"), "0x1234")
+        check(ended.status == NO_ANSWER, "a response of another address is none to 0", ended)
 
 
 def blocks(data):

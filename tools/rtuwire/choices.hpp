@@ -40,7 +40,7 @@ struct line_choices {
     bool has_echo{false};          ///< the line gives back what is sent
     bool must_switch_rs485{false}; ///< the driver switches the transceiver
     unsigned noise{0};             ///< bytes in front of a response that are skipped
-    bool may_be_any_unit{false};   ///< 248 to 255, too
+    bool may_be_any_unit{false};   ///< 0 and 248 to 255, too
     bool is_verbose{false};        ///< each frame is shown on the standard error
     std::string trace_file{};      ///< and kept here; empty: nowhere
     bool is_trace_optional{false}; ///< where that cannot be kept, the frames pass all the same

@@ -201,9 +201,9 @@ void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
     static_cast<void>(names_in(line)); // refuses what is wrong together
     constexpr std::string_view asking[] = {"read", "watch", "identify"};
     if (line.may_be_any_unit and std::ranges::count(asking, chosen.command) == 0) {
-        refuse_word(
-            "--any-unit is for read, watch and identify: at 248 to 255 whatever hangs on the line may answer, and "
-            "nothing is changed there");
+        refuse_word("--any-unit is for read, watch and identify: at 0 and 248 to 255 whatever hangs on the line may "
+                    "answer, and "
+                    "nothing is changed there");
     }
     for (std::string const& each : {chosen.file, chosen.scan.resume_file}) {
         if (is_one_file(line.trace_file, each)) {

@@ -68,7 +68,7 @@ void add_line_options(CLI::App& app, line_choices& line)
         ->capture_default_str();
     app.add_flag(
         "--any-unit", line.may_be_any_unit,
-        "take an address from 248 to 255 for --unit of read, watch and identify: whatever hangs on the line may "
+        "take 0, or an address from 248 to 255, for --unit of read, watch and identify: whatever hangs on the line may "
         "answer to it");
     app.add_flag("-v,--verbose", line.is_verbose, "show each frame that is sent or comes, on the standard error");
     app.add_option("--trace", line.trace_file, "keep them in a file for Wireshark, as capture does");

@@ -215,10 +215,10 @@ private:
         std::byte const unit{unit_->unit.byte()};
         frame_decoder decoder{names()};
         if (is_free_) {
-            rtuwire::single_request request{unit_->unit, raw_request{raw()}};
+            rtuwire::single_request request{rtuwire::unit_id{unit_->unit}, raw_request{raw()}};
             return tell(line, decoder, unit, line.run(request));
         }
-        sent_once request{unit_->unit, raw_request{raw()}};
+        sent_once request{rtuwire::unit_id{unit_->unit}, raw_request{raw()}};
         return tell(line, decoder, unit, line.run(request));
     }
 

@@ -16,7 +16,7 @@ namespace tool {
 
 namespace {
 
-record for_people(reading const& it, chosen_register const& which, rtuwire::unit_id unit, bool is_of_several)
+record for_people(reading const& it, chosen_register const& which, unit_address unit, bool is_of_several)
 {
     record row;
     if (is_of_several) {
@@ -28,7 +28,7 @@ record for_people(reading const& it, chosen_register const& which, rtuwire::unit
         .add("name", which.entry == nullptr ? std::string{} : std::string{which.entry->name});
 }
 
-record for_programs(reading const& it, chosen_register const& which, rtuwire::unit_id unit)
+record for_programs(reading const& it, chosen_register const& which, unit_address unit)
 {
     record line{
         {"unit", std::int64_t{unit.byte()}}, {"register", it.label}, {"address", std::int64_t{which.where.address}}};

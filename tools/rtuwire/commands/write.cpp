@@ -304,7 +304,7 @@ private:
         if (chosen_.line.retries > 0) {
             return line.ask(unit_.unit, request).error();
         }
-        request_once<Request> once{unit_.unit, request};
+        request_once<Request> once{rtuwire::unit_id{unit_.unit}, request};
         return line.run(once).error();
     }
 

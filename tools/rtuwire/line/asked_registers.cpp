@@ -28,7 +28,7 @@ namespace {
 
 /// The table of a unit of which numbers are asked for. A number of a drive's menu means another register there than
 /// the address, so the unit is asked who it is; null where it is none of the drives.
-drive_catalog const* drive_of_numbers(open_line& line, rtuwire::unit_id unit, std::string_view menu_number)
+drive_catalog const* drive_of_numbers(open_line& line, unit_address unit, std::string_view menu_number)
 {
     if (menu_number.empty()) {
         return nullptr;

@@ -30,14 +30,24 @@ std::optional<unsigned> number_in(std::string_view word)
     return is_whole ? std::optional{number} : std::nullopt;
 }
 
+/// What is asked only where somebody says that whatever answers is meant: a reserved address, and that of all.
+std::optional<unit_address> any_unit_at(unsigned number)
+{
+    if (number == 0) {
+        return unit_address::zero();
+    }
+    auto const reserved = rtuwire::unit_id::checked_reserved(number);
+    return reserved ? std::optional{unit_address{*reserved}} : std::nullopt;
+}
+
 rtuwire::unit_id address_in(std::string_view word, std::string const& of)
 {
     auto const number = number_in(word);
     auto const unit = number ? rtuwire::unit_id::checked(*number) : rtuwire::errc::malformed;
     if (not unit) {
-        bool const is_reserved = number and rtuwire::unit_id::checked_reserved(*number);
+        bool const is_any_unit = number and any_unit_at(*number);
         refuse_word("'" + std::string{word} + "' in '" + of + "' is no address of a unit: 1 to 247" +
-                    (is_reserved ? "; read, watch and identify take 248 to 255 with --any-unit" : ""));
+                    (is_any_unit ? "; read, watch and identify take 0 and 248 to 255 with --any-unit" : ""));
     }
     return *unit;
 }
@@ -167,10 +177,8 @@ named_unit unit_in(line_choices const& line)
         refuse_word("'" + line.unit + "' is neither an address nor a name given by --name" +
                     suggestion(line.unit, known));
     }
-    auto const reserved = line.may_be_any_unit and number
-                              ? rtuwire::unit_id::checked_reserved(*number)
-                              : rtuwire::result<rtuwire::unit_id>{rtuwire::errc::invalid_unit};
-    named_unit chosen = found ? *found : named_unit{reserved ? *reserved : address_in(line.unit, "--unit")};
+    auto const any = line.may_be_any_unit and number ? any_unit_at(*number) : std::nullopt;
+    named_unit chosen = found ? *found : named_unit{any ? *any : unit_address{address_in(line.unit, "--unit")}};
     std::string const of_name = is_register_file(chosen.drive) ? std::exchange(chosen.drive, {}) : std::string{};
     std::string const file = line.device.empty() ? of_name : line.device;
     chosen.drive = line.drive.empty() ? chosen.drive : line.drive;
@@ -203,7 +211,7 @@ std::string shown_command(line_choices const& line, std::string_view words)
     return typed.program + typed.options + typed.rate + typed.unit + typed.drive + ' ' + std::string{words};
 }
 
-std::string shown_command(line_choices const& line, rtuwire::unit_id unit, std::string_view words)
+std::string shown_command(line_choices const& line, unit_address unit, std::string_view words)
 {
     line_choices of_unit = line;
     of_unit.typed.unit = " -u " + std::to_string(unit.byte());

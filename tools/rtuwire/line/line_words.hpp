@@ -11,6 +11,7 @@
 #include <rtuwire/client.hpp>
 
 #include "choices.hpp"
+#include "line/unit_address.hpp"
 #include "words/named_places.hpp"
 
 namespace tool {
@@ -40,7 +41,7 @@ std::vector<std::uint8_t> units_in(std::string const& word);
 
 /// A unit, and what is known of it by --name and --drive.
 struct named_unit {
-    rtuwire::unit_id unit;
+    unit_address unit;
     std::string name{};                 ///< empty where it has none
     std::string drive{};                ///< empty where nobody said; of --name also a register file
     named_places const* names{nullptr}; ///< of --device, or of that file
@@ -64,7 +65,7 @@ std::vector<named_unit> names_in(line_choices const& line);
 std::string shown_command(line_choices const& line, std::string_view words);
 
 /// The same for another unit of the line.
-std::string shown_command(line_choices const& line, rtuwire::unit_id unit, std::string_view words);
+std::string shown_command(line_choices const& line, unit_address unit, std::string_view words);
 
 /// Seconds as the library counts them.
 rtuwire::duration seconds_in(double seconds);

@@ -13,9 +13,14 @@
 #include "exit_status.hpp"
 #include "line/exchange_counts.hpp"
 #include "line/exchange_log.hpp"
+#include "line/unit_address.hpp"
 #include "port/any_port.hpp"
 
 namespace tool {
+
+/// What the client of a line may do: all, also read the only unit of a line at address 0.
+inline constexpr rtuwire::client_needs<> line_needs{
+    .request_room = rtuwire::max_adu_size, .motors = rtuwire::host_needs.motors, .has_only_unit = true};
 
 /// How a line is set.
 struct line_setting {
@@ -52,10 +57,10 @@ public:
     {
         return client_.run(std::forward<Conversation>(conversation));
     }
-    template <typename To, typename Request> auto ask(To to, Request const& request)
+    template <typename Request> auto ask(unit_address const& to, Request const& request)
     {
         auto const began = std::chrono::steady_clock::now();
-        auto outcome = client_.ask(to, request);
+        auto outcome = ask_at(to, request);
         note(outcome.error(), std::chrono::steady_clock::now() - began);
         return outcome;
     }
@@ -71,12 +76,22 @@ public:
     rtuwire::byte_view refused() const;
 
 private:
+    template <typename Request>
+    rtuwire::result<typename Request::response> ask_at(unit_address const& to, Request const& request)
+    {
+        if constexpr (not requires { requires Request::may_be_broadcast; }) {
+            if (to.is_zero()) {
+                return client_.ask(rtuwire::only_unit, request);
+            }
+        }
+        return client_.ask(rtuwire::unit_id{to}, request);
+    }
     void note(rtuwire::errc outcome, std::chrono::duration<double, std::milli> took);
 
     any_port port_;
     rtuwire::client_options options_;
     exchange_log exchange_;
-    rtuwire::blocking_client<any_port>::traced_by<exchange_log> client_;
+    rtuwire::blocking_client<any_port, line_needs>::traced_by<exchange_log> client_;
     exchange_counts* counts_{nullptr};
 };
 

@@ -19,7 +19,7 @@ struct words_read {
 };
 
 template <typename Request, typename Values>
-words_read words_by(open_line& line, rtuwire::unit_id unit, Request const& request, Values values)
+words_read words_by(open_line& line, unit_address unit, Request const& request, Values values)
 {
     auto const outcome = line.ask(unit, request);
     words_read read{outcome.error(), {}};
@@ -29,8 +29,7 @@ words_read words_by(open_line& line, rtuwire::unit_id unit, Request const& reque
     return read;
 }
 
-words_read words_of(open_line& line, rtuwire::unit_id unit, register_space space, std::uint16_t start,
-                    std::uint16_t count)
+words_read words_of(open_line& line, unit_address unit, register_space space, std::uint16_t start, std::uint16_t count)
 {
     auto const registers = [](auto const& response) { return response.registers; };
     switch (space) {
@@ -49,14 +48,13 @@ words_read words_of(open_line& line, rtuwire::unit_id unit, register_space space
 
 } // namespace
 
-held_words read_run(open_line& line, rtuwire::unit_id unit, register_space space, std::uint16_t start,
-                    std::uint16_t count)
+held_words read_run(open_line& line, unit_address unit, register_space space, std::uint16_t start, std::uint16_t count)
 {
     words_read read = words_of(line, unit, space, start, count);
     return {read.why, std::move(read.words), read.why == errc::none ? std::string{} : line.words_of_failure(read.why)};
 }
 
-held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where)
+held_words read_place(open_line& line, unit_address unit, place const& where)
 {
     return read_run(line, unit, where.space, where.address, where.size());
 }
@@ -122,7 +120,7 @@ void register_reader::add(run const& one)
     blocks_.push_back({one});
 }
 
-errc register_reader::ask(open_line& line, rtuwire::unit_id unit, block const& which)
+errc register_reader::ask(open_line& line, unit_address unit, block const& which)
 {
     run const all = whole(which);
     words_read const read = words_of(line, unit, all.space, all.start, all.count);
@@ -139,8 +137,7 @@ errc register_reader::ask(open_line& line, rtuwire::unit_id unit, block const& w
 }
 
 /// What refuses a block, or takes none so long, may tell halves of it.
-errc register_reader::read_parts(open_line& line, rtuwire::unit_id unit, block const& which,
-                                 std::vector<block>& learned)
+errc register_reader::read_parts(open_line& line, unit_address unit, block const& which, std::vector<block>& learned)
 {
     errc const why = ask(line, unit, which);
     bool const may_be_read_in_parts = why == errc::illegal_data_value or why == errc::illegal_data_address;
@@ -161,7 +158,7 @@ void register_reader::fail(block const& which, errc why, std::string const& fail
     }
 }
 
-void register_reader::read(open_line& line, rtuwire::unit_id unit, bool ends_at_silence)
+void register_reader::read(open_line& line, unit_address unit, bool ends_at_silence)
 {
     first_error_ = errc::none;
     first_failure_.clear();

@@ -29,11 +29,10 @@ struct held_words {
 };
 
 /// Asks for so many addresses, as many as one request may have.
-held_words read_run(open_line& line, rtuwire::unit_id unit, register_space space, std::uint16_t start,
-                    std::uint16_t count);
+held_words read_run(open_line& line, unit_address unit, register_space space, std::uint16_t start, std::uint16_t count);
 
 /// Asks for one place.
-held_words read_place(open_line& line, rtuwire::unit_id unit, place const& where);
+held_words read_place(open_line& line, unit_address unit, place const& where);
 
 class register_reader {
 public:
@@ -44,7 +43,7 @@ public:
     /// One round. What a unit refuses together is read in halves, and in the next round as this one left them. Ends where
     /// the port fails. With `ends_at_silence` a unit that does not respond to the first request is asked nothing more, and
     /// in the next round something else first.
-    void read(open_line& line, rtuwire::unit_id unit, bool ends_at_silence = false);
+    void read(open_line& line, unit_address unit, bool ends_at_silence = false);
 
     /// What the last round read of a place that was chosen.
     held_words const& held(place const& where) const;
@@ -82,8 +81,8 @@ private:
     /// Whether a request over both meets only registers that somebody asked for, or that the drive has.
     bool may_reach(run const& from, run const& to) const;
     unsigned limit_of(register_space space) const;
-    rtuwire::errc ask(open_line& line, rtuwire::unit_id unit, block const& which);
-    rtuwire::errc read_parts(open_line& line, rtuwire::unit_id unit, block const& which, std::vector<block>& learned);
+    rtuwire::errc ask(open_line& line, unit_address unit, block const& which);
+    rtuwire::errc read_parts(open_line& line, unit_address unit, block const& which, std::vector<block>& learned);
 
     drive_catalog const* drive_;
     named_places const* names_;

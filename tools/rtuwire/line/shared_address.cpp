@@ -52,7 +52,7 @@ std::vector<std::byte> heard_behind(open_line& line, rtuwire::byte_view request)
 
 } // namespace
 
-std::string why_shared(open_line& line, rtuwire::unit_id unit)
+std::string why_shared(open_line& line, unit_address unit)
 {
     if (line.port().is_simulated()) {
         return {};

@@ -83,13 +83,13 @@ std::optional<std::uint16_t> only_in(drive_catalog const& one, drive_catalog con
     return std::nullopt;
 }
 
-errc read_one(open_line& line, rtuwire::unit_id unit, std::uint16_t address)
+errc read_one(open_line& line, unit_address unit, std::uint16_t address)
 {
     return line.ask(unit, rtuwire::read_holding_registers{.start = address, .count = 1}).error();
 }
 
 /// Drops those whose own registers the unit does not have.
-void tell_apart(open_line& line, rtuwire::unit_id unit, candidates& left)
+void tell_apart(open_line& line, unit_address unit, candidates& left)
 {
     for (std::size_t i = 0; left.size() > 1 and i < left.size();) {
         drive_catalog const& other = *left[i == 0 ? 1 : 0];
@@ -124,7 +124,7 @@ candidates of_family(std::string const& product)
 /// Drives that a unit may be by the registers that it has: what one has and another has not is read, once each.
 class fingerprint {
 public:
-    fingerprint(open_line& line, rtuwire::unit_id unit) : line_{line}, unit_{unit} {}
+    fingerprint(open_line& line, unit_address unit) : line_{line}, unit_{unit} {}
 
     /// Those whose own registers the unit has, while it refuses what only others have: a device that has any register
     /// is none of them.
@@ -174,7 +174,7 @@ private:
     }
 
     open_line& line_;
-    rtuwire::unit_id unit_;
+    unit_address unit_;
     std::map<std::uint16_t, errc> outcomes_{};
     bool is_there_{false};
     bool is_silent_{false};
@@ -197,7 +197,7 @@ bool is_telling(errc outcome)
 }
 
 /// Those of the drives of this program, and those of others that number them as CiA 402 does.
-drive_marks marks_of_drive(open_line& line, rtuwire::unit_id unit)
+drive_marks marks_of_drive(open_line& line, unit_address unit)
 {
     constexpr std::uint16_t status_object = 0x6041, control_object = 0x6040;
     fingerprint known{line, unit};
@@ -236,7 +236,7 @@ candidates without_identity(candidates all)
 
 /// Of a unit that says nothing of itself. One that refuses to is a drive that cannot; one that is silent may be any,
 /// behind something that does not let function 43 pass.
-void recognise_by_registers(open_line& line, rtuwire::unit_id unit, errc outcome, identity_words& who)
+void recognise_by_registers(open_line& line, unit_address unit, errc outcome, identity_words& who)
 {
     std::string const why = line.words_of_failure(outcome);
     fingerprint marks{line, unit};
@@ -262,7 +262,7 @@ void recognise_by_registers(open_line& line, rtuwire::unit_id unit, errc outcome
 
 } // namespace
 
-errc read_identity(open_line& line, rtuwire::unit_id unit, identity_words& who)
+errc read_identity(open_line& line, unit_address unit, identity_words& who)
 {
     for (std::uint8_t object = 0;;) {
         auto const page =
@@ -285,7 +285,7 @@ errc read_identity(open_line& line, rtuwire::unit_id unit, identity_words& who)
     }
 }
 
-identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
+identity_words who_is_it(open_line& line, unit_address unit)
 {
     identity_words who;
     errc const outcome = read_identity(line, unit, who);
@@ -304,7 +304,7 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
     return who;
 }
 
-bool may_be_unnamed_drive(open_line& line, rtuwire::unit_id unit, identity_words const& who)
+bool may_be_unnamed_drive(open_line& line, unit_address unit, identity_words const& who)
 {
     bool const was_heard = who.has_answered or who.outcome == exit_status::done;
     if (not who.product.empty() or not was_heard) {
@@ -321,7 +321,7 @@ bool is_of_another_family(identity_words const& who, drive_catalog const& drive)
     return found.empty() ? calls_itself_drive(who) : family_of(found.front()->reference) != family_of(drive.reference);
 }
 
-std::string why_another_device(rtuwire::unit_id unit, identity_words const& who, std::string const& vendor,
+std::string why_another_device(unit_address unit, identity_words const& who, std::string const& vendor,
                                std::string const& product)
 {
     bool const is_another =
@@ -356,7 +356,7 @@ drive_catalog const* catalog_or_none(std::string const& name)
 namespace {
 
 /// The catalog of a drive that was recognised. Ends where it is none.
-drive_catalog const& catalog_of(identity_words const& who, rtuwire::unit_id unit)
+drive_catalog const& catalog_of(identity_words const& who, unit_address unit)
 {
     if (not who.drive.empty()) {
         return catalog_chosen(who.drive);
@@ -374,7 +374,7 @@ std::string text_of(identity_words const& who) { return who.vendor + ' ' + who.p
 
 } // namespace
 
-drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen)
+drive_catalog const& catalog_of(open_line& line, unit_address unit, std::string const& chosen)
 {
     return chosen.empty() ? catalog_of(who_is_it(line, unit), unit) : catalog_chosen(chosen);
 }

@@ -28,26 +28,26 @@ struct identity_words {
 };
 
 /// What it says of itself by function 43: the basic objects, page by page. Why it does not.
-rtuwire::errc read_identity(open_line& line, rtuwire::unit_id unit, identity_words& who);
+rtuwire::errc read_identity(open_line& line, unit_address unit, identity_words& who);
 
 /// Asks for its identification; then, where that leaves several drives or none, reads registers that tell them apart.
 /// It writes nothing.
-identity_words who_is_it(open_line& line, rtuwire::unit_id unit);
+identity_words who_is_it(open_line& line, unit_address unit);
 
 /// Whether a unit is known to be of another family than this drive, or calls itself a drive of a family without a table. False
 /// where nothing is known of it, and between revisions of one family, which somebody may know better.
 [[nodiscard]] bool is_of_another_family(identity_words const& who, drive_catalog const& drive);
 
 /// "unit 61 calls itself 'A B', and is to be 'C D'"; empty where what it says of itself is what these words say.
-[[nodiscard]] std::string why_another_device(rtuwire::unit_id unit, identity_words const& who,
-                                             std::string const& vendor, std::string const& product);
+[[nodiscard]] std::string why_another_device(unit_address unit, identity_words const& who, std::string const& vendor,
+                                             std::string const& product);
 
 /// The catalog of the unit: the one that was chosen, else that of the drive that it is. Ends where it is none.
-drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen);
+drive_catalog const& catalog_of(open_line& line, unit_address unit, std::string const& chosen);
 
 /// Whether one that is of no known drive may be one all the same: it does not say by function 43 what it is, and has the
 /// status word and the command word of a drive, or does not tell whether it has.
-[[nodiscard]] bool may_be_unnamed_drive(open_line& line, rtuwire::unit_id unit, identity_words const& who);
+[[nodiscard]] bool may_be_unnamed_drive(open_line& line, unit_address unit, identity_words const& who);
 
 /// What --drive says of a unit that is no drive, or is not to be asked who it is.
 inline constexpr std::string_view no_drive = "none";

@@ -12,7 +12,7 @@ constexpr std::uint16_t end_of_models = 0xFFFF;
 constexpr std::size_t most_models = 200;
 
 /// Two registers, the first in the upper half.
-rtuwire::result<std::uint32_t> pair_at(open_line& line, rtuwire::unit_id unit, std::uint16_t address)
+rtuwire::result<std::uint32_t> pair_at(open_line& line, unit_address unit, std::uint16_t address)
 {
     auto const read = line.ask(unit, rtuwire::read_holding_registers{.start = address, .count = 2});
     if (not read) {
@@ -23,7 +23,7 @@ rtuwire::result<std::uint32_t> pair_at(open_line& line, rtuwire::unit_id unit, s
 
 } // namespace
 
-sunspec_models sunspec_models_of(open_line& line, rtuwire::unit_id unit)
+sunspec_models sunspec_models_of(open_line& line, unit_address unit)
 {
     sunspec_models found;
     for (std::uint16_t const address : {std::uint16_t{40'000}, std::uint16_t{0}, std::uint16_t{50'000}}) {

@@ -26,7 +26,7 @@ struct sunspec_models {
 };
 
 /// Looks for the mark at 40000, 0 and 50000, and walks from model to model. It only reads.
-[[nodiscard]] sunspec_models sunspec_models_of(open_line& line, rtuwire::unit_id unit);
+[[nodiscard]] sunspec_models sunspec_models_of(open_line& line, unit_address unit);
 
 /// "SunSpec at 40000: model 1 at 40002, 66 registers; ..."
 [[nodiscard]] std::string text_of(sunspec_models const& found);

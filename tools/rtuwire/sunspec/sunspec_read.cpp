@@ -41,7 +41,7 @@ std::optional<source_value> file_of(std::string const& folder, std::uint16_t id)
 }
 
 /// Registers from a model's first on, into `words`.
-void read_words(open_line& line, rtuwire::unit_id unit, sunspec_model const& model, unsigned from, unsigned count,
+void read_words(open_line& line, unit_address unit, sunspec_model const& model, unsigned from, unsigned count,
                 std::vector<std::uint16_t>& words)
 {
     auto const read =
@@ -58,7 +58,7 @@ void read_words(open_line& line, rtuwire::unit_id unit, sunspec_model const& mod
 }
 
 /// The registers of a model. One that is longer than a response is read a second time, so that each value comes by one.
-std::vector<std::uint16_t> words_of(open_line& line, rtuwire::unit_id unit, sunspec_model const& model,
+std::vector<std::uint16_t> words_of(open_line& line, unit_address unit, sunspec_model const& model,
                                     source_value const& file)
 {
     unsigned const size = model.length + 2U;
@@ -86,7 +86,7 @@ std::vector<std::uint16_t> words_of(open_line& line, rtuwire::unit_id unit, suns
 }
 
 /// Whether all of it was shown.
-bool put_model(choices const& chosen, rtuwire::unit_id unit, sunspec_model const& model, std::string const& prefix,
+bool put_model(choices const& chosen, unit_address unit, sunspec_model const& model, std::string const& prefix,
                source_value const& file, std::vector<std::uint16_t> const& words, output& results)
 {
     std::vector<std::string> told;
@@ -132,7 +132,7 @@ void refuse_folder_without_models(std::string const& folder)
 exit_status read_sunspec(choices const& chosen)
 {
     refuse_folder_without_models(chosen.sunspec);
-    rtuwire::unit_id const unit = unit_in(chosen.line).unit;
+    unit_address const unit = unit_in(chosen.line).unit;
     open_line line{chosen.line};
     output results{chosen.form, false};
     sunspec_models const found = sunspec_models_of(line, unit);
