@@ -37,7 +37,7 @@ class Odd(Units):
         return super().answer(request)
 
     def writes(self):
-        return [each for each in self.requests if each[1] not in (1, 3, 43)]
+        return [each for each in self.requests if each[1] not in (1, 2, 3, 4, 8, 43)]
 
 
 def check_gate(tool, check):

@@ -13,6 +13,7 @@
 #include <rtuwire/maintenance.hpp>
 
 #include "backup/saved_settings.hpp"
+#include "line/exchange_log.hpp"
 #include "port/any_port.hpp"
 
 namespace tool {
@@ -24,6 +25,7 @@ using restore_told = std::function<void(register_entry const&, rtuwire::altivar:
 struct restore_work {
     any_port& port;
     rtuwire::client_options line_options;
+    exchange_log& exchange;
     rtuwire::unit_id unit;
     drive_catalog const& drive;
     saved_settings const& settings;

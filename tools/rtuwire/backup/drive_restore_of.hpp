@@ -56,7 +56,8 @@ template <rtuwire::device_type Device> restored restore_to(restore_work const& w
     std::string const name{work.drive.name};
     endable_restore<Device, decltype(words), decltype(report)> conversation{station_at<Device>(work.unit.byte(), name),
                                                                             work, wanted, report, has_told};
-    rtuwire::host_client client{work.port.timing(), work.line_options};
+    rtuwire::host_client::traced_by<exchange_log> client{work.port.timing(), work.line_options};
+    client.trace_to(work.exchange);
     std::array<std::byte, rtuwire::max_adu_size> input{};
     rtuwire::result<void> passed{};
     while (passed and not conversation.settled()) {

@@ -59,7 +59,7 @@ void read_all(open_line& line, rtuwire::unit_id unit, saved_settings& to)
     std::string const name{drive.name};
     with_drive(name, [&](auto device) {
         using type = typename decltype(device)::type;
-        altivar::backup conversation{station_at<type>(unit.byte(), name), drive.map, keep};
+        auto conversation = line.with(altivar::backup{station_at<type>(unit.byte(), name), drive.map, keep});
         outcome = line.run(conversation);
     });
     if (not outcome) {

@@ -89,19 +89,6 @@ byte_list pdu_in(std::vector<std::string> const& words)
     return pdu;
 }
 
-/// A frame with its CRC.
-byte_list frame_of(std::byte unit, rtuwire::byte_view pdu)
-{
-    byte_list frame{unit};
-    for (std::byte const each : pdu) { // GCC 12 takes an insert behind the first byte for one beyond the end
-        frame.push_back(each);
-    }
-    unsigned const crc = rtuwire::crc16(frame);
-    frame.push_back(static_cast<std::byte>(crc & 0xFFU));
-    frame.push_back(static_cast<std::byte>(crc >> 8U));
-    return frame;
-}
-
 class asking {
 public:
     explicit asking(choices const& chosen)
@@ -215,10 +202,10 @@ private:
         std::byte const unit{unit_->unit.byte()};
         frame_decoder decoder{names()};
         if (is_free_) {
-            rtuwire::single_request request{rtuwire::unit_id{unit_->unit}, raw_request{raw()}};
+            auto request = line.with(rtuwire::single_request{rtuwire::unit_id{unit_->unit}, raw_request{raw()}});
             return tell(line, decoder, unit, line.run(request));
         }
-        sent_once request{rtuwire::unit_id{unit_->unit}, raw_request{raw()}};
+        auto request = line.with(sent_once{rtuwire::unit_id{unit_->unit}, raw_request{raw()}});
         return tell(line, decoder, unit, line.run(request));
     }
 
@@ -270,7 +257,7 @@ private:
         if (chosen_.line.has_echo or response != frame_of(std::byte{unit_->unit.byte()}, pdu_)) {
             return false;
         }
-        rtuwire::line_echo_probe probe{unit_->unit};
+        auto probe = line.with(rtuwire::line_echo_probe{unit_->unit});
         static_cast<void>(line.run(probe));
         auto const found = probe.outcome();
         return found and *found;
@@ -292,7 +279,7 @@ private:
 
     exit_status send_to_all(open_line& line)
     {
-        sent_once request{rtuwire::broadcast, raw_request{raw()}};
+        auto request = line.with(sent_once{rtuwire::broadcast, raw_request{raw()}});
         errc const why = line.run(request).error();
         note(why == errc::none ? "sent to all" : words_of(why));
         if (why != errc::none) {

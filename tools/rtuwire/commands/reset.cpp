@@ -46,7 +46,7 @@ public:
         with_drive(name, [&](auto device) {
             using type = typename decltype(device)::type;
             rtuwire::altivar::reset_fault conversation{station_at<type>(who_.unit.byte(), name)};
-            why = line_.run(conversation);
+            why = line_.command(conversation);
         });
         return judge(fault, why);
     }

@@ -116,8 +116,8 @@ private:
 
     restored run_once(open_line& line, bool is_dry_run, restore_record& record)
     {
-        return restore_({line.port(), line.options(), unit_.unit, *drive_, settings_, options(is_dry_run),
-                         [&](register_entry const& entry, altivar::restore_report const& what) {
+        return restore_({line.port(), line.options(), line.exchange(), unit_.unit, *drive_, settings_,
+                         options(is_dry_run), [&](register_entry const& entry, altivar::restore_report const& what) {
                              record.note(entry, what);
                              if (not is_dry_run) {
                                  log(entry, what);

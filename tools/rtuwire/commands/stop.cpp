@@ -178,7 +178,7 @@ private:
     /// Whether a drive that nobody named is an ATV28. Where nobody answers in time, the power of the motor is taken away.
     bool is_atv28()
     {
-        short_look look{who_.unit};
+        auto look = line_.with(short_look{who_.unit});
         errc const found = line_.run(look).error();
         if (found == errc::none or rtuwire::is_exception(found)) {
             return found == errc::illegal_data_address;
@@ -205,7 +205,7 @@ private:
         for (int i = 0; i < most_stops and unobeyed < most_unobeyed; ++i) {
             rtuwire::altivar::stop conversation{station, way_, rtuwire::milliseconds(one_stop),
                                                 rtuwire::altivar::stop_begin::look_first};
-            why = line_.run(conversation);
+            why = line_.command(conversation);
             unobeyed = why.kind == outcome_kind::state_timeout ? unobeyed + 1 : 0;
             if (why.kind != outcome_kind::unconfirmed and unobeyed == 0) {
                 break;

@@ -304,7 +304,7 @@ private:
         if (chosen_.line.retries > 0) {
             return line.ask(unit_.unit, request).error();
         }
-        request_once<Request> once{rtuwire::unit_id{unit_.unit}, request};
+        auto once = line.with(request_once<Request>{rtuwire::unit_id{unit_.unit}, request});
         return line.run(once).error();
     }
 

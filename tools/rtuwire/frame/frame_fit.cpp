@@ -30,6 +30,18 @@ bool is_exception_code(byte_view pdu) { return (std::to_integer<unsigned>(pdu[0]
 
 } // namespace
 
+std::vector<std::byte> frame_of(std::byte unit, byte_view pdu)
+{
+    std::vector<std::byte> frame{unit};
+    for (std::byte const each : pdu) { // GCC 12 takes an insert behind the first byte for one beyond the end
+        frame.push_back(each);
+    }
+    unsigned const crc = rtuwire::crc16(frame);
+    frame.push_back(static_cast<std::byte>(crc & 0xFFU));
+    frame.push_back(static_cast<std::byte>(crc >> 8U));
+    return frame;
+}
+
 bool has_known_fields(byte_view pdu)
 {
     constexpr auto identification = std::byte{14}; // the type of function 43 that the library knows

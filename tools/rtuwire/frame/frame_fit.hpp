@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include <rtuwire/frames.hpp>
 #include <rtuwire/trace.hpp>
@@ -16,6 +17,9 @@ namespace tool {
 {
     return rtuwire::register_view{bytes.subspan(at, 2)}[0];
 }
+
+/// The frame that brings a PDU to a unit, or back.
+[[nodiscard]] std::vector<std::byte> frame_of(std::byte unit, rtuwire::byte_view pdu);
 
 /// What is wrong with a PDU as a request or a response; none where it may be one. Of a function that is not public
 /// nothing is known, so that any bytes may be either.

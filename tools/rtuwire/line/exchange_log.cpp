@@ -142,6 +142,7 @@ exchange_log exchange_log::of(line_choices const& chosen, line_setting const& ho
 void exchange_log::take(rtuwire::traced_frame const& frame) noexcept
 {
     try {
+        owed_.note(frame);
         rtuwire::traced_frame const next = in_order(frame);
         if (is_shown_) {
             show_frame(next);

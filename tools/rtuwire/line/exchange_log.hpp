@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What the program itself says on a line and hears there: each frame on the standard error (-v), and in a file for Wireshark
-// (--trace).
+// What the program itself says on a line and hears there: each frame on the standard error (-v), in a file for Wireshark
+// (--trace), and as what its units owe.
 #pragma once
 
 #include <rtuwire/trace.hpp>
 
 #include "choices.hpp"
+#include "line/owed_answers.hpp"
 #include "port/any_port.hpp"
 
 namespace tool {
@@ -22,10 +23,15 @@ public:
     /// As the choices say. All lines of a run have one file, which begins with the first of them.
     static exchange_log of(line_choices const& chosen, line_setting const& how, any_port const& port);
 
+    /// What the units owe by all that passed.
+    owed_answers& owed() { return owed_; }
+    owed_answers const& owed() const { return owed_; }
+
     /// A frame has passed. A file that can take no more is told of once, and left.
     void take(rtuwire::traced_frame const& frame) noexcept;
 
 private:
+    owed_answers owed_{};
     bool is_shown_{false};
 };
 

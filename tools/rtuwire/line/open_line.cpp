@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "line/open_line.hpp"
 
+#include <array>
+
 #include <unistd.h>
 
 #include "frame/damage.hpp"
@@ -89,11 +91,25 @@ open_line::open_line(line_choices const& chosen, line_setting const& how)
       client_{port_, port_.timing(), options_}
 {
     client_.trace_to(exchange_);
+    exchange_.owed().begin(options_);
     if (not chosen.must_not_listen and not port_.is_simulated()) {
         refuse_traffic(port_, seconds_in(chosen.listen));
     }
     if (not port_.is_simulated()) {
         tell_of_supervision();
+    }
+}
+
+void open_line::let_pass(std::chrono::microseconds time)
+{
+    std::array<std::byte, rtuwire::max_adu_size> place;
+    auto const until = port_.now() + rtuwire::microseconds(static_cast<std::uint32_t>(time.count()));
+    auto const heard = port_.read(place, until);
+    if (not heard) {
+        throw ended{exit_status::port, port_.failure()};
+    }
+    if (not heard->empty()) {
+        exchange_.owed().note_unseen();
     }
 }
 
@@ -120,8 +136,9 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
     if (why == errc::line_echo) {
         return text + " (say --echo, or switch the adapter's receiver off while it sends)";
     }
-    auto const refused = client_.refused();
+    auto const refused = why == errc::timed_out ? std::nullopt : client_.refused();
     if (not refused) {
+        text += why == errc::timed_out ? exchange_.owed().words_of_silence() : "";
         bool const is_silence = why == errc::timed_out or why == errc::device_vanished;
         return text +
                (is_silence and port_.device().ends_with(":502")

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <rtuwire/client.hpp>
 
@@ -52,18 +53,32 @@ public:
     exchange_log& exchange() { return exchange_; }
     rtuwire::client_options const& options() const { return options_; }
 
-    /// Asks and waits for the outcome.
-    template <typename Conversation> auto run(Conversation&& conversation)
+    /// A conversation for this line.
+    template <typename Conversation> in_step<Conversation> with(Conversation conversation)
     {
-        return client_.run(std::forward<Conversation>(conversation));
+        return {exchange_.owed(), std::move(conversation)};
     }
-    template <typename Request> auto ask(unit_address const& to, Request const& request)
+    /// Runs it to its end.
+    template <typename Conversation> auto run(in_step<Conversation>& conversation) { return client_.run(conversation); }
+    /// The same of one that commands a motor: it waits for nothing that its unit owes but as the library has it.
+    template <typename Commander> auto command(Commander& commander) { return client_.run(commander); }
+
+    /// Asks and waits for the outcome. The response is a view of this line's memory, valid until the next `ask`.
+    template <typename Request>
+    rtuwire::result<typename Request::response> ask(unit_address const& to, Request const& request)
     {
         auto const began = std::chrono::steady_clock::now();
-        auto outcome = ask_at(to, request);
+        auto const outcome = ask_at(to, request);
         note(outcome.error(), std::chrono::steady_clock::now() - began);
-        return outcome;
+        if (not outcome) {
+            return outcome.error();
+        }
+        response_.assign(outcome->pdu().begin(), outcome->pdu().end());
+        return rtuwire::response{response_}.template to<Request>();
     }
+
+    /// What comes in so long a time, or earlier, is nobody's answer. Ends where the port fails.
+    void let_pass(std::chrono::microseconds time);
 
     /// From here on requests are counted there; null ends it.
     void count_in(exchange_counts* counts) { counts_ = counts; }
@@ -77,14 +92,16 @@ public:
 
 private:
     template <typename Request>
-    rtuwire::result<typename Request::response> ask_at(unit_address const& to, Request const& request)
+    rtuwire::result<rtuwire::response> ask_at(unit_address const& to, Request const& request)
     {
         if constexpr (not requires { requires Request::may_be_broadcast; }) {
             if (to.is_zero()) {
-                return client_.ask(rtuwire::only_unit, request);
+                auto asking = with(rtuwire::single_request{rtuwire::only_unit, request});
+                return client_.run(asking);
             }
         }
-        return client_.ask(rtuwire::unit_id{to}, request);
+        auto asking = with(rtuwire::single_request{rtuwire::unit_id{to}, request});
+        return client_.run(asking);
     }
     void note(rtuwire::errc outcome, std::chrono::duration<double, std::milli> took);
 
@@ -93,6 +110,7 @@ private:
     exchange_log exchange_;
     rtuwire::blocking_client<any_port, line_needs>::traced_by<exchange_log> client_;
     exchange_counts* counts_{nullptr};
+    std::vector<std::byte> response_{};
 };
 
 /// What an error means for whoever called the program: silence is `no_answer`, a wrong answer is `differs`.

@@ -3,7 +3,6 @@
 #include "monitor/line_thread.hpp"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <utility>
 
@@ -78,15 +77,10 @@ void line_thread::wait_for_next(clock::time_point began)
 {
     // The period may change, and the pause begin or end, while it waits. At least one look at the port a round.
     do {
-        std::array<std::byte, 256> place;
         auto const next = began + std::chrono::duration_cast<clock::duration>(std::chrono::duration<double>{period_});
         auto const left = std::chrono::ceil<std::chrono::microseconds>(next - clock::now());
-        auto const step = std::clamp<std::chrono::microseconds>(left, std::chrono::microseconds{1'000},
-                                                                std::chrono::microseconds{50'000});
-        any_port& port = line_->port();
-        if (not port.read(place, port.now() + rtuwire::microseconds(static_cast<std::uint32_t>(step.count())))) {
-            throw ended{exit_status::port, port.failure()};
-        }
+        line_->let_pass(std::clamp<std::chrono::microseconds>(left, std::chrono::microseconds{1'000},
+                                                              std::chrono::microseconds{50'000}));
         if (not is_paused_ and clock::now() >= next) {
             return;
         }

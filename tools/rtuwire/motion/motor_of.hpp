@@ -49,7 +49,7 @@ public:
         : port_{line.port}, bus_{line.port.timing(), line.options, {.silent_share = 50}},
           cycle_{station_of(unit), {.supervision = {.longest_gap = longest_gap(line)}}},
           reference_{setting::checked(typename setting::value_type{asked.count})},
-          direction_{direction_of(asked)}, unit_{unit}, shown_at_{clock::now()}
+          direction_{direction_of(asked)}, unit_{unit}, owed_{line.exchange.owed()}, shown_at_{clock::now()}
     {
         bus_.trace_to(line.exchange);
     }
@@ -63,7 +63,7 @@ public:
             clock::now() >= shown_at_) {
             bool const is_in_fault = cycle_.control().state() == rtuwire::cia402::state::fault;
             asked_ = sight_.is_old ? look::state : is_in_fault and sight_.fault == 0 ? look::fault : look::output;
-            shown_.emplace(unit_, request_of(asked_));
+            shown_.emplace(owed_, rtuwire::single_request{unit_, request_of(asked_)});
         }
         if (shown_) {
             bus_.converse(1, *shown_, now);
@@ -183,7 +183,8 @@ private:
     rtuwire::result<setting> reference_;
     rtuwire::altivar::run_direction direction_;
     rtuwire::unit_id unit_;
-    std::optional<rtuwire::single_request<rtuwire::read_holding_registers>> shown_{};
+    owed_answers& owed_;
+    std::optional<in_step<rtuwire::single_request<rtuwire::read_holding_registers>>> shown_{};
     clock::time_point shown_at_; ///< counts 64 bits: a link may be lost for an hour
     motor_sight sight_{};
     std::array<std::byte, rtuwire::max_adu_size> input_{};

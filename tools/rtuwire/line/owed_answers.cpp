@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line/owed_answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "frame/frame_fit.hpp"
+#include "line/line_words.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::byte_view;
+using rtuwire::function_code;
+
+std::byte function_of(byte_view frame) { return frame[1] & std::byte{0x7F}; }
+function_code code_of(std::byte function) { return static_cast<function_code>(function); }
+
+/// How many registers are asked for; 0 where it is not known.
+unsigned registers_in(byte_view frame)
+{
+    bool const counts = frame.size() == 8 and (frame[1] == std::byte{3} or frame[1] == std::byte{4});
+    return counts ? tool::word_at(frame, 4) : 0;
+}
+
+std::vector<std::byte> read_of(std::byte function, byte_view from, unsigned count)
+{
+    return {function, from[2], from[3], std::byte{0}, static_cast<std::byte>(count)};
+}
+
+bool may_write(std::byte function)
+{
+    using enum function_code;
+    constexpr rtuwire::function_set writing{
+        write_single_coil,   write_single_register,         write_multiple_coils, write_multiple_registers,
+        mask_write_register, read_write_multiple_registers, write_file_record};
+    return writing.contains(code_of(function));
+}
+
+bool is_answer(byte_view request, byte_view frame)
+{
+    auto const found = rtuwire::check_response(request, rtuwire::adu{frame});
+    return found == rtuwire::errc::none or rtuwire::is_exception(found);
+}
+
+rtuwire::byte_view whole(byte_view frame)
+{
+    return frame.size() >= rtuwire::min_adu_size and rtuwire::check_frame(frame) == rtuwire::errc::none ? frame
+                                                                                                        : byte_view{};
+}
+
+} // namespace
+
+void owed_answers::begin(rtuwire::client_options const& options)
+{
+    using std::chrono::microseconds;
+    timeout_ = microseconds{options.response_timeout.microseconds};
+    constexpr int times = 10;
+    constexpr std::chrono::seconds least{5};
+    longest_ = std::max<clock::duration>(times * (timeout_ + microseconds{options.late_response.microseconds}), least);
+    tries_ = 1U + options.retries;
+}
+
+void owed_answers::note(rtuwire::traced_frame const& frame)
+{
+    using rtuwire::frame_verdict;
+    auto const now = clock::now();
+    if (not frame.is_own) {
+        return note_response(frame, now);
+    }
+    if (frame.verdict != frame_verdict::good or frame.bytes.size() < rtuwire::min_adu_size) {
+        return;
+    }
+    answered_.clear();
+    was_late_ = false;
+    if (std::byte const unit = frame.bytes[0]; unit != std::byte{0}) {
+        unit_record& of = units_[unit];
+        forget_old(of, now);
+        of.owed.push_back({{frame.bytes.begin(), frame.bytes.end()}, now});
+    }
+}
+
+/// In their order: whatever it answers, none is owed that was asked before the first that it may answer.
+void owed_answers::note_response(rtuwire::traced_frame const& frame, clock::time_point now)
+{
+    using rtuwire::frame_verdict;
+    byte_view const bytes = frame.verdict == frame_verdict::damaged ? byte_view{} : whole(frame.bytes);
+    if (bytes.empty()) {
+        return note_heard(now);
+    }
+    auto const unit = units_.find(bytes[0]);
+    if (unit == units_.end()) {
+        return;
+    }
+    unit_record& of = unit->second;
+    forget_old(of, now);
+    of.heard = now;
+    of.answered.insert(function_of(bytes));
+    of.unanswered.erase(function_of(bytes));
+    auto first = std::ranges::find_if(of.owed, [&](sending const& each) { return is_answer(each.frame, bytes); });
+    bool const is_awaited = frame.verdict == frame_verdict::good;
+    if (first == of.owed.end() and is_awaited and not of.owed.empty()) {
+        first = of.owed.end() - 1;
+    }
+    if (first == of.owed.end()) {
+        return;
+    }
+    if (is_awaited) {
+        answered_ = first->frame;
+        frame_bytes& longest = of.longest[bytes[1]]; // of an exception there is none
+        longest = registers_in(answered_) > registers_in(longest) ? answered_ : longest;
+    } else {
+        of.latest = now - first->at;
+        was_late_ = true;
+    }
+    of.owed.erase(of.owed.begin(), first + 1);
+}
+
+void owed_answers::note_heard(clock::time_point now)
+{
+    for (auto& [unit, of] : units_) {
+        forget_old(of, now);
+        of.heard = now;
+    }
+}
+
+void owed_answers::forget_old(unit_record& of, clock::time_point now) const
+{
+    auto const is_owed = [&](sending const& each) { return now - std::max(each.at, of.heard) <= longest_; };
+    of.owed.erase(of.owed.begin(), std::ranges::find_if(of.owed, is_owed));
+}
+
+bool owed_answers::hides(byte_view question)
+{
+    auto const unit = units_.find(question[0]);
+    if (unit == units_.end() or may_write(function_of(question))) {
+        return false;
+    }
+    forget_old(unit->second, clock::now());
+    return std::ranges::any_of(unit->second.owed,
+                               [&](sending const& each) { return function_of(each.frame) == function_of(question); });
+}
+
+bool owed_answers::owes_registers(unit_record const& of, std::byte function, unsigned count)
+{
+    return std::ranges::any_of(of.owed, [&](sending const& each) {
+        return function_of(each.frame) == function and registers_in(each.frame) == count;
+    });
+}
+
+/// By the same function, a part of what the unit has answered before, of a size that no answer which it owes has; empty where
+/// there is none.
+owed_answers::frame_bytes owed_answers::part_of_known(unit_record const& of, std::byte function)
+{
+    auto const known = of.longest.find(function);
+    for (unsigned count = known == of.longest.end() ? 0 : registers_in(known->second); count > 0; --count) {
+        if (not owes_registers(of, function, count)) {
+            return read_of(function, known->second, count);
+        }
+    }
+    return {};
+}
+
+/// Twice as many registers, which may be more than there are.
+owed_answers::frame_bytes owed_answers::longer_read(unit_record const& of, byte_view question)
+{
+    unsigned const registers = registers_in(question);
+    unsigned const other = 2 * registers <= rtuwire::max_read_quantity ? 2 * registers : registers / 2;
+    std::byte const function = function_of(question);
+    return other == 0 or owes_registers(of, function, other) ? frame_bytes{} : read_of(function, question, other);
+}
+
+/// Whether the answer to a function could be one that the unit owes since before it was last asked by another one.
+bool owed_answers::is_ambiguous(unit_record const& of, std::byte function, std::byte asked)
+{
+    auto const is_by = [](std::byte which) {
+        return [which](sending const& each) { return function_of(each.frame) == which; };
+    };
+    return std::any_of(std::find_if(of.owed.rbegin(), of.owed.rend(), is_by(asked)), of.owed.rend(), is_by(function));
+}
+
+owed_answers::frame_bytes owed_answers::mark_for(byte_view question)
+{
+    unit_record const& of = units_.at(question[0]);
+    std::byte const asked = function_of(question);
+    constexpr std::byte none[]{std::byte{0}, std::byte{0}, std::byte{0}, std::byte{0}};
+    byte_view const place = asked <= std::byte{4} and question.size() == 8 ? question : byte_view{none};
+    auto const read_one = [&](std::uint8_t usual, std::uint8_t other) {
+        return read_of(std::byte{asked == std::byte{usual} ? other : usual}, place, 1);
+    };
+    ++nonce_;
+    frame_bytes const all[]{
+        part_of_known(of, asked),
+        read_one(4, 3),
+        longer_read(of, question),
+        {std::byte{8}, std::byte{0}, std::byte{0}, static_cast<std::byte>(nonce_ >> 8U),
+         static_cast<std::byte>(nonce_ & 0xFFU)},
+        {std::byte{0x2B}, std::byte{0x0E}, std::byte{1}, std::byte{0}},
+        read_one(2, 1),
+    };
+    // First what the unit is known to answer, then what it was seldom silent to, in the order of what most units answer.
+    auto const cost = [&](frame_bytes const& pdu) -> unsigned {
+        constexpr unsigned never = 1'000, seldom = 100;
+        if (pdu.empty()) {
+            return never;
+        }
+        bool const is_known = pdu[0] == asked ? &pdu == all : of.answered.contains(pdu[0]);
+        auto const silent = of.unanswered.find(pdu[0]);
+        return (is_known                        ? 0U
+                : silent == of.unanswered.end() ? 1U
+                                                : 1U + silent->second) +
+               (pdu[0] != asked and is_ambiguous(of, pdu[0], asked) ? seldom : 0U);
+    };
+    return frame_of(question[0], *std::ranges::min_element(all, {}, cost));
+}
+
+void owed_answers::note_unanswered(byte_view mark) { ++units_[mark[0]].unanswered[function_of(mark)]; }
+
+bool owed_answers::has_answered(byte_view request) const
+{
+    return request[0] == std::byte{0} or std::ranges::equal(answered_, request);
+}
+
+void owed_answers::note_question(byte_view question, bool is_asked)
+{
+    asked_unit_ = question[0];
+    was_asked_ = is_asked;
+}
+
+std::string owed_answers::words_of_silence() const
+{
+    auto const unit = units_.find(asked_unit_);
+    if (unit == units_.end()) {
+        return {};
+    }
+    double const latest = unit->second.latest.count();
+    bool const is_late = unit->second.latest > timeout_;
+    std::string const not_asked =
+        was_asked_ ? "" : "; not asked: a late answer of this unit could be taken for this one";
+    if (not is_late) {
+        return not_asked + (was_asked_ ? "" : "; a longer --timeout waits for it");
+    }
+    constexpr double most = 30.0;
+    char text[96] = "";
+    std::snprintf(text, sizeof text, "; its answers come too late, the last after %.1f s: say --timeout %.1f", latest,
+                  std::min(std::ceil(latest * 15.0) / 10.0, most));
+    return text + not_asked;
+}
+
+} // namespace tool

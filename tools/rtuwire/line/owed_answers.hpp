@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Which answers the units of a line still owe. Modbus RTU numbers no request: an answer later than all times looks like the
+// answer to the next question of the same function, as an exception does whatever was asked. A unit answers in the order in
+// which it was asked: once it has answered a later request, it owes none of those before. So where it owes answers to a
+// function, a request by another function is put in front of the next question, a mark.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rtuwire/client.hpp>
+#include <rtuwire/trace.hpp>
+
+namespace tool {
+
+class owed_answers {
+public:
+    using clock = std::chrono::steady_clock;
+    using frame_bytes = std::vector<std::byte>;
+
+    /// How often a request is sent, and for how long an answer is owed: ten times as long as the client waits, 5 s at least,
+    /// from the sending on, or from the last thing that was heard behind it.
+    void begin(rtuwire::client_options const& options);
+
+    /// A frame has passed.
+    void note(rtuwire::traced_frame const& frame);
+    /// Something came, and nobody looked at it.
+    void note_unseen() { note_heard(clock::now()); }
+
+    /// Whether what answers this request may be the answer to another one. Never for what writes: its answer repeats what was
+    /// written, and a word that stops a motor waits for nothing.
+    [[nodiscard]] bool hides(rtuwire::byte_view question);
+
+    /// A request that only reads, by another function where there is one that the unit may answer; by the same one for
+    /// another number of registers.
+    [[nodiscard]] frame_bytes mark_for(rtuwire::byte_view question);
+    void note_unanswered(rtuwire::byte_view mark);
+
+    /// How many marks are tried for a question.
+    [[nodiscard]] unsigned tries() const { return tries_; }
+
+    /// Whether the last response was to a sending of this request, and to no other one before.
+    [[nodiscard]] bool has_answered(rtuwire::byte_view request) const;
+
+    /// Whether an answer that was owed has come since the last request left.
+    [[nodiscard]] bool has_heard_late() const { return was_late_; }
+
+    /// The last question was not asked, or is asked.
+    void note_question(rtuwire::byte_view question, bool is_asked);
+    /// What there is to say of the last question where it has no response; empty where the unit owed nothing.
+    [[nodiscard]] std::string words_of_silence() const;
+
+private:
+    struct sending {
+        frame_bytes frame;
+        clock::time_point at;
+    };
+    struct unit_record {
+        std::vector<sending> owed{};
+        clock::time_point heard{};
+        std::map<std::byte, unsigned> unanswered{}; ///< marks by function, since the unit last answered by that
+        std::set<std::byte> answered{};             ///< functions, also by an exception
+        std::map<std::byte, frame_bytes> longest{}; ///< by function, the answered request for the most registers
+        std::chrono::duration<double> latest{0}; ///< how far behind its request an answer came that nobody waited for
+    };
+
+    void note_heard(clock::time_point now);
+    void note_response(rtuwire::traced_frame const& frame, clock::time_point now);
+    void forget_old(unit_record& of, clock::time_point now) const;
+    static bool owes_registers(unit_record const& of, std::byte function, unsigned count);
+    static frame_bytes part_of_known(unit_record const& of, std::byte function);
+    static frame_bytes longer_read(unit_record const& of, rtuwire::byte_view question);
+    static bool is_ambiguous(unit_record const& of, std::byte function, std::byte asked);
+
+    std::map<std::byte, unit_record> units_{};
+    std::chrono::microseconds timeout_{};
+    clock::duration longest_{}; ///< that an answer is owed
+    unsigned tries_{1};
+    std::uint16_t nonce_{0};
+    frame_bytes answered_{}; ///< the request to which the last response was
+    std::byte asked_unit_{};
+    bool was_asked_{true}; ///< the last question
+    bool was_late_{false};
+};
+
+/// A conversation of which no question is asked before its unit is known to owe no answer that could be taken for this
+/// one's. Where that is not to be known, the question ends as one without a response.
+template <typename Conversation> class in_step : public Conversation {
+    static_assert(
+        not requires(Conversation & commander) { commander.intent(); }, "what commands a motor waits for nothing");
+
+public:
+    in_step(owed_answers& owed, Conversation its) : Conversation{std::move(its)}, owed_{owed} {}
+
+    std::optional<rtuwire::request_frame> next()
+    {
+        auto const asked = Conversation::next();
+        if (not asked) {
+            return asked;
+        }
+        question_.assign(asked->frame().begin(), asked->frame().end());
+        bool const is_hidden = owed_.hides(question_);
+        owed_.note_question(question_, not is_hidden);
+        if (not is_hidden) {
+            mark_.clear();
+            return asked;
+        }
+        mark_ = owed_.mark_for(question_);
+        return rtuwire::request_frame{mark_, rtuwire::repetition::never};
+    }
+
+    void accept(rtuwire::result<rtuwire::response> const& outcome)
+    {
+        using rtuwire::errc;
+        if (mark_.empty()) {
+            tried_ = 0;
+            errc const why = outcome.error();
+            bool const is_response = why == errc::none or rtuwire::is_exception(why);
+            bool const is_mismatch =
+                why == errc::wrong_function or why == errc::wrong_length or why == errc::response_mismatch;
+            bool const is_anothers =
+                (is_response and not owed_.has_answered(question_)) or (is_mismatch and owed_.has_heard_late());
+            return Conversation::accept(is_anothers ? rtuwire::result<rtuwire::response>{errc::timed_out} : outcome);
+        }
+        bool const is_over = outcome.error() == errc::cancelled or
+                             rtuwire::category_of(outcome.error()) == rtuwire::error_category::serial_device;
+        if (is_over) {
+            tried_ = 0;
+            return Conversation::accept(outcome.error());
+        }
+        if (outcome.error() == errc::timed_out) {
+            owed_.note_unanswered(mark_);
+        }
+        if (++tried_ >= owed_.tries() and owed_.hides(question_)) {
+            tried_ = 0;
+            Conversation::accept(errc::timed_out);
+        }
+    }
+
+private:
+    owed_answers& owed_;
+    owed_answers::frame_bytes question_{};
+    owed_answers::frame_bytes mark_{}; ///< what is asked in its place; empty where nothing is
+    unsigned tried_{0};
+};
+
+} // namespace tool
