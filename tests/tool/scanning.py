@@ -40,21 +40,16 @@ def check_whole_line(tool, check):
         ended = tool.run(*how, "--json", "scan", limit=2 * LIMIT)
         found = {row["unit"]: row["drive"] for row in ended.objects()}
         check(ended.status == DONE and found == THERE, "three drives among 247 addresses, and nothing else", ended)
-        *lines, last = ended.errors.splitlines()
+        first, *lines, last = ended.errors.splitlines()
+        check("247 addresses" in first and "at most" in first, "the first line says how long it may take", first)
         check(last.startswith("note: a drive that"), "the last line is of what it leaves", last)
-        check(5 < len(lines) and all(re.match(r"\d+ of 247, asking unit \d+ at 19200 8E1, \d found", line) for line in lines),
-              "a line of progress now and then, where it is no terminal", lines)
+        check(5 < len(lines) and all(re.match(r"\d+ of 237, asking unit \d+ at 19200 8E1, \d found", line) for line in lines),
+              "a line of progress now and then, where it is no terminal, behind the lowest addresses", lines)
         check("\r" not in ended.errors and "\x1b" not in ended.errors, "without a terminal's characters")
         shown = tool.on_terminal(*how, "scan", "--units", "1-20").output
         check("\r" in shown and "left" in shown, "a line that changes on a terminal, with the time left")
-        ended = tool.run(*how, "scan", "--units", "8-12")
+        ended = tool.run(*how, "-b", 19200, "scan", "--units", "8-12")
         check(ended.status == NO_ANSWER, "nobody there: status 3")
-        sets = []
-        while len(sets) < 9 and (more := re.search(r"`\S+ .*scan (--units 8-9 )?.*--bauds (\S+) --formats (\S+)`", ended.errors)):
-            sets.append(more.groups()[1:])
-            ended = tool.run(*how, "scan", "--units", "8-9", "--bauds", more[2], "--formats", more[3])
-        check(len(set(sets)) == len(sets) == 5 and {("9600,19200,38400", "8N2,8O1"), ("9600,19200,38400", "8E2,8O2")} <= set(sets),
-              "each scan that finds nobody leads to settings that were not tried, and the last one to none", sets)
         many = tool.run(*how, "--csv", "scan", "--units", "7", "--bauds", "9600,19200", "--formats", "8E1,8N1").rows()
         check([(row["baud"], row["format"]) for row in many]
               == [("9600", "8E1"), ("9600", "8N1"), ("19200", "8E1"), ("19200", "8N1")], "each bit rate and format", many)
@@ -62,7 +57,8 @@ def check_whole_line(tool, check):
 
 def check_resume(tool, check):
     with Simulator(tool.program, *DRIVES) as device, CountedLine(device) as line:
-        words = ["--port", line.name, "--no-listen", "--timeout", TIMEOUT, "--json", "scan", "--units", "1-40,130", "--resume", "found"]
+        words = ["--port", line.name, "--no-listen", "--timeout", TIMEOUT, "-b", RATE, "--json", "scan", "--units", "1-40,130", "--resume",
+                 "found"]
         process = tool.start(*words)
         first = process.stdout.readline()
         second = process.stdout.readline()

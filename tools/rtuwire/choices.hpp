@@ -26,6 +26,7 @@ struct line_choices {
     std::string port{};
     unsigned baud{19'200};
     std::string format{"8E1"};
+    bool is_rate_named{false};                ///< bit rate or format, by the command line or the file
     std::string unit{"1"};                    ///< a number, or one of `names`
     bool is_unit_named{false};                ///< by the command line or the file: it is not the 1 of nobody's choice
     std::string drive{};                      ///< empty: recognised by asking
@@ -99,6 +100,7 @@ struct choices {
     restore_choices restore{};
 
     std::vector<std::string> words{}; ///< registers, bytes, drives
+    bool finds_setting{false};        ///< tries the usual bit rates and formats
     std::string search{};
     std::string group{};
     bool is_factory{false};  ///< compares with the factory values

@@ -210,7 +210,9 @@ void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
             refuse_word("--trace " + line.trace_file + ": " + each + " is another file of this command already");
         }
     }
-    line.is_unit_named = line.is_unit_named or app.get_option("--unit")->count() > 0;
+    auto const is_typed = [&app](char const* name) { return app.get_option(name)->count() > 0; };
+    line.is_unit_named = line.is_unit_named or is_typed("--unit");
+    line.is_rate_named = line.is_rate_named or is_typed("--baud") or is_typed("--format");
     if (chosen.command == "simulate" and app.get_option("--port")->count() == 0) {
         line.port.clear();
     }

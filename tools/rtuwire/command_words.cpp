@@ -166,14 +166,19 @@ void add_places(CLI::App& command, choices& chosen, bool is_required)
 void add_reading(CLI::App& app, choices& chosen)
 {
     add_command(app, chosen, "ports", "the serial ports of this system, and what their adapters say of themselves");
-    CLI::App& scan = add_command(app, chosen, "scan", "find the units of a line");
+    CLI::App& scan = add_command(app, chosen, "scan", "find the units of a line, and its bit rate and format");
+    auto* const find = scan.add_flag("--find", chosen.finds_setting,
+                                     "try the usual bit rates and formats, one after another, until somebody answers;\n"
+                                     "so it does without a word of them (-b, -f, --bauds, --formats)");
     scan.add_option("--units", chosen.scan.units, "1-247 or 1,3,7-9")->capture_default_str();
-    scan.add_option("--bauds", chosen.scan.bauds, "bit rates to try, such as 9600,19200")
+    scan.add_option("--bauds", chosen.scan.bauds, "bit rates to try all of, such as 9600,19200")
         ->delimiter(',')
-        ->allow_extra_args(false);
-    scan.add_option("--formats", chosen.scan.formats, "formats to try, such as 8E1,8N1")
+        ->allow_extra_args(false)
+        ->excludes(find);
+    scan.add_option("--formats", chosen.scan.formats, "formats to try all of, such as 8E1,8N1")
         ->delimiter(',')
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->excludes(find);
     scan.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
     add_command(app, chosen, "identify", "who is it?");
     CLI::App& map = add_command(app, chosen, "map", "which addresses does a unit have?");
@@ -287,6 +292,8 @@ void add_settings(CLI::App& app, choices& chosen)
 void add_line_tools(CLI::App& app, choices& chosen)
 {
     CLI::App& sniff = add_command(app, chosen, "sniff", "show what others say on the line");
+    sniff.add_flag("--find", chosen.finds_setting,
+                   "find the bit rate and the format of a line on which somebody talks, without a word to it");
     sniff.add_option("-o,--output", chosen.file, "a file that keeps what is shown, as capture writes it");
     add_time_limit(sniff, chosen);
     CLI::App& capture = add_command(app, chosen, "capture", "write what passes to a file for Wireshark");

@@ -80,11 +80,16 @@ constexpr option options[] = {
          line.unit = word;
          line.is_unit_named = true;
      }},
-    {"baud", [](line_choices& line, std::string const& word) { line.baud = baud_in(whole_in(word, 1, 10'000'000)); }},
+    {"baud",
+     [](line_choices& line, std::string const& word) {
+         line.baud = baud_in(whole_in(word, 1, 10'000'000));
+         line.is_rate_named = true;
+     }},
     {"format",
      [](line_choices& line, std::string const& word) {
          static_cast<void>(format_in(word));
          line.format = word;
+         line.is_rate_named = true;
      }},
     {"drive", [](line_choices& line, std::string const& word) { line.drive = drive_in(word); }},
     {"name",

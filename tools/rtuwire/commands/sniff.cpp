@@ -7,6 +7,7 @@
 #include "frame/frame_record.hpp"
 #include "line/capture_output.hpp"
 #include "line/end_wish.hpp"
+#include "line/heard_setting.hpp"
 #include "line/line_words.hpp"
 #include "line/played_capture.hpp"
 #include "line/tap.hpp"
@@ -32,6 +33,9 @@ std::unique_ptr<capture_output> kept(choices const& chosen, any_port const& port
 
 exit_status run_sniff(choices const& chosen)
 {
+    if (chosen.finds_setting) {
+        return find_heard_setting(chosen);
+    }
     if (is_capture(chosen)) {
         if (not chosen.file.empty()) {
             refuse_word("-o " + chosen.file + ": " + chosen.line.port + " is a capture already");

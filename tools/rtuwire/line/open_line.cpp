@@ -70,7 +70,11 @@ any_port open_port(line_choices const& chosen, line_setting const& how)
         refuse_word("--rs485: " + chosen.port + " is no serial device, whose driver could switch a transceiver");
     }
     any_port port;
-    if (not port.open(which.port, serial_settings_in(chosen, how))) {
+    auto const opened = port.open(which.port, serial_settings_in(chosen, how));
+    if (opened == rtuwire::errc::device_setting_refused) {
+        throw setting_refused{exit_status::port, port.failure()};
+    }
+    if (not opened) {
         throw ended{exit_status::port, port.failure()};
     }
     port.keep_pause(rtuwire::milliseconds(chosen.pause));

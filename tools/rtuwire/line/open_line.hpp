@@ -34,6 +34,12 @@ line_setting setting_in(line_choices const& line);
 /// What a serial device is opened with.
 rtuwire::serial_settings serial_settings_in(line_choices const& chosen, line_setting const& how);
 
+/// The port is there, and its driver does not keep this bit rate or format.
+class setting_refused : public ended {
+public:
+    using ended::ended;
+};
+
 /// The port that the choices name; refuses one that is none. Nothing is sent.
 any_port open_port(line_choices const& chosen, line_setting const& how);
 

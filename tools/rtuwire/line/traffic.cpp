@@ -34,7 +34,8 @@ public:
     std::string words() const
     {
         if (frames_ == 0) {
-            return std::to_string(bytes_) + " bytes that are no frame at this bit rate and format";
+            return std::to_string(bytes_) +
+                   " bytes that are no frame at this bit rate and format (sniff --find finds the right ones)";
         }
         std::string units;
         for (unsigned const each : units_) {

@@ -20,6 +20,7 @@ result<void> any_port::open(port_description const& described, serial_settings c
 {
     close();
     own_failure_.clear();
+    heard_ = 0;
     return std::visit([&](auto const& chosen) { return open_one(chosen, settings); }, described);
 }
 
@@ -103,13 +104,17 @@ result<void> any_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
 
 result<rtuwire::byte_span> any_port::read(rtuwire::byte_span place, rtuwire::instant until)
 {
-    return std::visit([&](auto& port) { return port.read(place, until); }, port_);
+    auto const bytes = std::visit([&](auto& port) { return port.read(place, until); }, port_);
+    heard_ += bytes ? bytes->size() : 0;
+    return bytes;
 }
 
 bool any_port::take_receive_error() noexcept
 {
     auto* const device = std::get_if<posix_serial>(&port_);
-    return device != nullptr and device->take_receive_error();
+    bool const is_damaged = device != nullptr and device->take_receive_error();
+    heard_ += is_damaged ? 1U : 0U;
+    return is_damaged;
 }
 
 } // namespace tool

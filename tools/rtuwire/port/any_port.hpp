@@ -56,6 +56,9 @@ public:
     /// Whether a byte arrived damaged right behind the bytes read last; reported once. TCP does not tell.
     [[nodiscard]] bool take_receive_error() noexcept;
 
+    /// How many bytes have come since it was opened, damaged ones as well, whatever became of them.
+    [[nodiscard]] std::size_t heard() const noexcept { return heard_; }
+
     /// Now, on the clock of the deadlines.
     [[nodiscard]] static rtuwire::instant now() noexcept { return rtuwire::steady_now(); }
 
@@ -68,6 +71,7 @@ private:
     simulated_drives drives_{}; ///< outlives the port to them
     std::variant<rtuwire::posix_serial, rtuwire::tcp_stream> port_{};
     rtuwire::line_timing timing_{rtuwire::line_timing::without_wire()};
+    std::size_t heard_{0};
     std::string own_failure_{}; ///< where it is not the port's
 };
 
