@@ -75,6 +75,9 @@ def check_find(tool, check):
         check("baud = 38400" in ended.errors and "8N1 as well" in ended.errors, "it says how to set it", ended.errors)
         found = shown(tool, ended.errors, "input:990-1010")
         check(found.status == DONE and re.search(r"61 +input +1000 +1003 +4", found.output), "the command behind it maps it", found)
+        forms = shown(tool, found.errors)
+        check(forms.status == DONE and re.search(r"input:1000:f32:cdab +1000 +230.1", forms.output),
+              "and the one behind that shows a value", forms)
     with SetUnits({2: {3201: 0}, 50: {3201: 0}}, 2400, "8E1") as line:
         ended = tool.run("--port", line.name, *QUIET, "scan", "--find", "--units", "1-3,50")
         check([(row["unit"], row["baud"], row["format"]) for row in ended.objects()] == [(2, 2400, "8E1"), (50, 2400, "8E1")],

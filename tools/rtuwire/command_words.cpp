@@ -341,7 +341,7 @@ void add_own_texts(CLI::App& app, choices& chosen)
 
 void add_words(CLI::App& app, choices& chosen)
 {
-    app.footer(ends_with);
+    app.footer(first_steps_text() + ends_with);
     app.require_subcommand(1);
     add_line_options(app, chosen.line);
     add_form_options(app, chosen.form);

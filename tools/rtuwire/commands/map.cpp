@@ -94,6 +94,8 @@ public:
         finish();
         if (drive != nullptr) {
             leave(line, *drive);
+        } else if (first_) {
+            tell("what is there? " + reading_text(*first_));
         }
         if (noted_signal() != 0) {
             tell_end();
@@ -297,6 +299,9 @@ private:
     void close_run()
     {
         bool const is_shown = run_ and run_->found.what != found_address::kind::none;
+        if (is_shown and run_->found.what == found_address::kind::here and not first_) {
+            first_ = run_->where;
+        }
         if (is_shown) {
             bar_.clear();
             results_.put({{"unit", std::int64_t{unit_.unit.byte()}},
@@ -307,6 +312,25 @@ private:
                           {"note", run_->found.why}});
         }
         run_.reset();
+    }
+
+    /// What is next: one place in the forms that a value may have.
+    std::string reading_text(address_range const& found) const
+    {
+        std::string const place = std::string{name_of(found.space)} + ':' + std::to_string(found.first);
+        bool const has_forms = found.space < register_space::coil and found.last > found.first;
+        line_choices no_line;
+        no_line.typed.program = chosen_.line.typed.program;
+        std::string words = "read " + place;
+        if (has_forms) {
+            words = "read " + place + ":hex";
+            for (char const* const form : {":i16", ":u32", ":u32:cdab", ":f32", ":f32:cdab"}) {
+                words += ' ' + place + form;
+            }
+        }
+        return '`' + shown_command(chosen_.line, unit_.unit, words) + "` shows the first" +
+               (has_forms ? " in several forms" : "") +
+               "; a register file gives all of it names, types and units: " + shown_command(no_line, "device --help");
     }
 
     void tell(std::string const& text)
@@ -341,7 +365,8 @@ private:
     output results_;
     progress bar_;
     std::optional<run_of_addresses> run_{};
-    std::optional<asked_run> answered_{}; ///< the last that the unit answered
+    std::optional<address_range> first_{}; ///< that the unit has
+    std::optional<asked_run> answered_{};  ///< the last that the unit answered
     std::size_t done_{0};
     std::size_t here_{0};
     unsigned silent_{0};

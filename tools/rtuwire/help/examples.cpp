@@ -10,7 +10,7 @@ namespace tool {
 namespace {
 
 constexpr std::pair<std::string_view, std::string_view> examples[] = {
-    {"scan", "rtuwire -p /dev/ttyUSB0 scan --units 1-31 --bauds 9600,19200 --resume cabinet.scan"},
+    {"scan", "rtuwire -p /dev/ttyUSB0 scan --find --resume cabinet.scan"},
     {"identify", "rtuwire -p /dev/ttyUSB0 -u 7 identify"},
     {"map", "rtuwire -p /dev/ttyUSB0 -u 61 map input:0-1999 --resume meter.map"},
     {"read", "rtuwire -p /dev/ttyUSB0 -u 7 read RFR 'DP*' @monitor 3202"},
@@ -49,6 +49,20 @@ std::string example_of(std::string const& command)
         }
     }
     return {};
+}
+
+std::string first_steps_text()
+{
+    return "A device of which nothing is known; each step ends with the next one:\n"
+           "  1. rtuwire ports                                  which port is the adapter?\n"
+           "  2. rtuwire -p /dev/ttyUSB0 scan                   at which bit rate, format and address does who "
+           "answer?\n"
+           "     rtuwire -p /dev/ttyUSB0 sniff --find           the first two where a client talks to it; sends "
+           "nothing\n"
+           "  3. rtuwire -p /dev/ttyUSB0 -b 9600 -f 8N2 -u 61 map    which addresses has it?\n"
+           "  4. ... read input:1000:f32 input:1000:f32:cdab    what is there? One value in several forms\n"
+           "  5. rtuwire device --help                          a register file gives it a name, a type and a unit\n"
+           "  6. ... --device meter.toml watch '*'              its values by their names\n\n";
 }
 
 std::string places_text()

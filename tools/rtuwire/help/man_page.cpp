@@ -97,6 +97,7 @@ std::string man_page(tool_texts const& texts)
     for (command_text const& each : texts.commands) {
         text += of_command(each);
     }
+    text += ".SH FIRST STEPS\n.EX\n" + plain(first_steps_text()) + ".EE\n";
     return text + ".SH PLACES OF ANY DEVICE\n.EX\n" + plain(places_text()) + ".EE\n" + files_and_statuses;
 }
 

@@ -34,6 +34,9 @@ struct tool_texts {
 /// A command line that does something sensible, and what it does; empty for no command.
 [[nodiscard]] std::string example_of(std::string const& command);
 
+/// What to type for a device of which nothing is known, in lines.
+[[nodiscard]] std::string first_steps_text();
+
 /// How a place of any device is typed, in lines.
 [[nodiscard]] std::string places_text();
 
