@@ -222,7 +222,7 @@ def check_writes(tool, check):
     ended = tool.run(*how, "40001=5")
     check(ended.status == DIFFERS and "list:40001 is holding:0" in ended.output, "a number of a list is hinted at", ended)
     for word, says in (("input:3=5", "read only"), ("2.3=2", "on or off"), ("2.4-7=16", "0 to 15"), ("2:u16=70000", "0 to 65535"),
-                       ("2:0.1V=1.25", "1.2 V or 1.3 V"), ("2-3:u16=1", "one register"), ("2=-1", "2:i16"),
+                       ("2:0.1V=1.25", "1.2 V or 1.3 V"), ("2-3:u16=1", "2 values, and 1 stands"), ("2=-1", "2:i16"),
                        ("2:f32=16777217", "the nearest is 16777216"), ("2:text247=a", "at most 123 registers")):
         ended = tool.run(*how, "coil:7=on", word)
         held = tool.run(*QUIET, "-u", MODULE, "--json", "read", "coil:7").objects()[0]["value"]
@@ -260,7 +260,7 @@ def check_bits_written(tool, check):
 
 
 MOVES = [["8501=6"], ["holding:8501=6"], ["h:0x2135=0x0006"], ["list:48502=6"], ["8501:u16=6"], ["8501:i16:1=6"],
-         ["8501:badc=1536"], ["8501.3=1"], ["8501.0-3=15"], ["8500:u32=6"], ["8499:u64=6"], ["8500:text8=ab"], ["8501:hex=6"], ["8501:bits=0x6"], ["8501:bcd16=6"], ["8501:2=12"], ["8501:text2=ab"],
+         ["8501:badc=1536"], ["8501.3=1"], ["8501.0-3=15"], ["8500:u32=6"], ["8501-8502:u16=6"], ["8500-8501=0,6"], ["8499:u64=6"], ["8500:text8=ab"], ["8501:hex=6"], ["8501:bits=0x6"], ["8501:bcd16=6"], ["8501:2=12"], ["8501:text2=ab"],
          ["8602:i16=100"], ["list:48603=100rpm"], ["holding:12761:u16=6"]]
 
 
@@ -435,7 +435,7 @@ def check_drive(tool, check):
             check(ended.status == REFUSED and "commands the motor" in ended.errors, f"{words} {beside} is refused, too", ended)
         ended = tool.run(*how, "-d", "none", "--write", "write", *words)
         check(ended.status == REFUSED and "is an atv320" in ended.errors, f"{words} to what is said to be no drive", ended)
-    for word in ("8501-8502:u16=6", "input:8501=6", "coil:8501=on", "9000:u32=6"):
+    for word in ("9001-9002:u16=6,7", "input:8501=6", "coil:8501=on", "9000:u32=6"):
         for beside in ([], ["-d", "none"]):
             ended = tool.run(*how, *beside, "--write", "--allow-run", "write", word)
             check(ended.status == USAGE and word in ended.errors, f"{word} {beside} is refused", ended)

@@ -219,13 +219,15 @@ void add_writing(CLI::App& app, choices& chosen)
     add_operands(
         write, chosen, "REG=VALUE",
         "ACC=1.3s, SLL=YES, 3104=60Hz; of what is no drive, with --drive none, holding:40:0.1V=230.1V, coil:3=on, "
-        "40:f32:cdab=21.5, 40.3=on",
+        "40:f32:cdab=21.5, 40.3=on, 40-43=1,2,3,4 by one request",
         true);
     write.add_flag("--read-modify-write", chosen.may_rewrite,
                    "bits of a unit without function 22: read their register, and write all of it back");
     add_to_footer(
         write,
-        "A place of any device, written by function 05, 06, 16, or 22 for bits; #2301 is a count without its scale:\n" +
+        "A place of any device, written by function 05, 06, 16, or 22 for bits; #2301 is a count without its scale.\n"
+        "Neighbours take a value each, by one request of function 16 or 15: 40-42=1,2,3, coil:0-1=on,off,\n"
+        "setpoint,mode=21.5,heat by the names of a register file.\n" +
             places_text());
     CLI::App& ask = add_command(app, chosen, "ask", "send any function, and show both frames");
     add_operands(ask, chosen, "FC HEX",

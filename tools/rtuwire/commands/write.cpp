@@ -48,6 +48,38 @@ struct held_before {
 
 constexpr char const* not_tried = "not tried";
 
+/// What is told of a value.
+struct shown_value {
+    value_to_write const* value;
+    held_text before;
+    held_text after;
+    std::string error{};
+    std::string note{};
+};
+
+using value_list = std::vector<value_to_write>;
+
+/// What one request writes.
+struct value_request {
+    value_list values;
+    std::vector<held_before> before;
+
+    [[nodiscard]] bool is_of_coils() const { return values[0].where.is_single_bit(); }
+};
+
+std::vector<value_request> requests_of(value_list const& values, std::vector<held_before> const& before)
+{
+    std::vector<value_request> requests;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (not values[i].is_with_previous) {
+            requests.emplace_back();
+        }
+        requests.back().values.push_back(values[i]);
+        requests.back().before.push_back(before[i]);
+    }
+    return requests;
+}
+
 std::string shown(held_text const& text) { return text.value_or(unknown); }
 
 class writing {
@@ -87,14 +119,14 @@ public:
         }
         note_signals();
         exit_status status = exit_status::done;
-        for (std::size_t i = 0; i < values.size(); ++i) {
+        for (value_request const& each : requests_of(values, before)) {
             if (status == exit_status::done and noted_signal() != 0) { // between two of them: what was begun is told
                 status = static_cast<exit_status>(128 + noted_signal());
             }
             if (status == exit_status::done) {
-                status = write(line, values[i], before[i]);
+                status = write(line, each);
             } else {
-                show(values[i], before[i].text, {}, not_tried, before[i].note);
+                show_unwritten(each, {}, not_tried);
             }
         }
         return status;
@@ -108,33 +140,51 @@ private:
         }
         std::vector<value_to_write> values =
             given_.empty() ? checked_values(chosen_.words, line, unit_, rules_, chosen_) : given_;
-        for (value_to_write const& each : values) {
-            refuse_frame_within(each);
+        for (value_request const& each : requests_of(values, std::vector<held_before>(values.size()))) {
+            refuse_frame_within(each.values);
         }
         return values;
     }
 
-    /// What function 16 sends of it.
-    static std::vector<std::byte> bytes_of(value_to_write const& value)
+    /// What function 16 or 15 sends of values.
+    static std::vector<std::byte> bytes_of(value_list const& values)
     {
         std::vector<std::byte> bytes;
-        for (std::uint16_t const word : value.words) {
-            bytes.push_back(static_cast<std::byte>(word >> 8U));
-            bytes.push_back(static_cast<std::byte>(word & 0xFFU));
+        if (values[0].where.is_single_bit()) {
+            bytes.resize((values.size() + 7) / 8);
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                bytes[i / 8] |= static_cast<std::byte>((values[i].words[0] != 0 ? 1U : 0U) << (i % 8U));
+            }
+            return bytes;
+        }
+        for (value_to_write const& each : values) {
+            for (std::uint16_t const word : each.words) {
+                bytes.push_back(static_cast<std::byte>(word >> 8U));
+                bytes.push_back(static_cast<std::byte>(word & 0xFFU));
+            }
         }
         return bytes;
     }
 
-    /// A value of several registers may hold a whole frame; so may one of whatever the unit takes by function 16 only.
-    void refuse_frame_within(value_to_write const& value) const
+    /// By function 16, of coils by 15.
+    template <typename Send> static auto by_one_request(value_list const& values, Send send)
     {
-        if (rules_.drive != nullptr or value.where.is_single_bit()) {
+        std::uint16_t const address = values[0].where.address;
+        std::vector<std::byte> const bytes = bytes_of(values);
+        return values[0].where.is_single_bit()
+                   ? send(rtuwire::write_multiple_coils<>{address, rtuwire::bit_view{bytes, values.size()}})
+                   : send(rtuwire::write_multiple_registers<>{address, rtuwire::register_view{bytes}});
+    }
+
+    /// Values of several registers or coils may hold a whole frame; so may one of whatever the unit takes by function 16 only.
+    void refuse_frame_within(value_list const& values) const
+    {
+        if (rules_.drive != nullptr) {
             return;
         }
-        std::vector<std::byte> const bytes = bytes_of(value);
         std::array<std::byte, rtuwire::max_adu_size> memory{};
-        auto const frame = rtuwire::encode_into(
-            memory, unit_.unit, rtuwire::write_multiple_registers{value.where.address, rtuwire::register_view{bytes}});
+        auto const frame = by_one_request(
+            values, [&](auto const& request) { return rtuwire::encode_into(memory, unit_.unit, request); });
         if (frame) {
             tool::refuse_frame_within(*frame, functions_within::public_ones);
         }
@@ -201,59 +251,105 @@ private:
 
     /// Writes, and says what the unit holds then: what was read back, whatever was answered to the write. Since the values
     /// were checked somebody was asked, and others were written: a motor may run by now.
-    exit_status write(open_line& line, value_to_write const& value, held_before const& read_before)
+    exit_status write(open_line& line, value_request const& request)
     {
-        std::optional<ended> why = why_not({value}, line);
-        if (std::string const log = why ? std::string{} : why_nothing_can_be_noted(); not log.empty()) {
+        value_list const& values = request.values;
+        std::optional<ended> why = why_not(values, line);
+        if (std::string const log = why ? std::string{} : why_nothing_can_be_noted(values.size()); not log.empty()) {
             why.emplace(exit_status::port, "nothing could be noted: " + log);
         }
         if (why) {
-            show(value, read_before.text, read_before.text, std::string{"not written: "} + why->what(),
-                 read_before.note);
+            show_unwritten(request, request.before, std::string{"not written: "} + why->what());
             return why->status;
         }
         // Of bits, that the others stay is looked at: those of a value before it are written by now.
-        held_before const before = value.where.bit >= 0 ? read(line, {value})[0] : read_before;
-        std::string note;
-        errc const outcome = send(line, value, note);
-        std::string const failure = line.words_of_failure(outcome) + hint_at_list({value.where, value.entry}, outcome) +
-                                    remedy_of(value, outcome);
-        bool const is_taken = outcome == errc::none;
+        std::vector<held_before> const before = values[0].where.bit >= 0 ? read(line, values) : request.before;
+        std::string how;
+        errc const outcome = send(line, values, how);
+        std::string const failure = line.words_of_failure(outcome) +
+                                    hint_at_list({values[0].where, values[0].entry}, outcome) +
+                                    remedy_of(values, outcome);
+        std::vector<held_words> const held = read_back(line, values, outcome, failure);
+        exit_status status = exit_status::done;
+        std::vector<shown_value> rows;
+        std::string missed;
+        for (std::size_t i = 0; i < values.size(); ++i) { // all of them are noted before one is shown
+            rows.push_back({&values[i], before[i].text, {}, {}, how});
+            exit_status const one = judge(rows.back(), before[i], held[i], outcome, failure, missed);
+            append(rows.back().note, request.before[i].note);
+            status = status == exit_status::done ? one : status;
+        }
+        show(rows);
+        return missed.empty() or status != exit_status::done ? status : exit_status::port;
+    }
+
+    /// What the unit holds; by as many requests as it takes, each value by one. A unit that is silent meanwhile is not asked on.
+    std::vector<held_words> read_back(open_line& line, value_list const& values, errc outcome,
+                                      std::string const& failure) const
+    {
         // An order is no value that stays, and a drive that saves is silent meanwhile.
-        bool const is_order =
-            rules_.drive != nullptr and value.entry != nullptr and takes_orders(*value.entry, *rules_.drive);
-        held_words const held =
-            is_order ? held_words{outcome, value.words, failure} : read_place(line, unit_.unit, value.where);
+        if (rules_.drive != nullptr and values[0].entry != nullptr and takes_orders(*values[0].entry, *rules_.drive)) {
+            return {{outcome, values[0].words, failure}};
+        }
+        std::size_t count = 0;
+        for (value_to_write const& each : values) {
+            count += each.words.size();
+        }
+        held_words const all = read_run(line, unit_.unit, values[0].where.space, values[0].where.address,
+                                        static_cast<std::uint16_t>(count));
+        bool const is_in_parts =
+            values.size() > 1 and (all.why == errc::illegal_data_address or all.why == errc::illegal_data_value);
+        std::vector<held_words> held;
+        std::size_t at = 0;
+        for (value_to_write const& each : values) {
+            bool const is_asked_on = is_in_parts and (held.empty() or held.back().why == errc::none or
+                                                      rtuwire::is_exception(held.back().why));
+            if (is_asked_on) {
+                held.push_back(read_place(line, unit_.unit, each.where));
+            } else {
+                held.push_back(is_in_parts ? held.back() : held_words{all.why, {}, all.failure});
+            }
+            if (all.why == errc::none) {
+                auto const first = all.words.begin() + static_cast<std::ptrdiff_t>(at);
+                held.back().words.assign(first, first + static_cast<std::ptrdiff_t>(each.words.size()));
+            }
+            at += each.words.size();
+        }
+        return held;
+    }
+
+    /// What came of a value, which is noted where it may be written.
+    exit_status judge(shown_value& row, held_before const& before, held_words const& held, errc outcome,
+                      std::string const& failure, std::string& missed) const
+    {
+        value_to_write const& value = *row.value;
+        bool const is_taken = outcome == errc::none;
         bool const is_read = held.why == errc::none;
-        held_text const after = is_read ? held_text{value.text_of_words(held.words)} : std::nullopt;
-        std::string error;
+        row.after = is_read ? held_text{value.text_of_words(held.words)} : std::nullopt;
         exit_status status = exit_status::done;
         if (not is_read) {
-            error = is_taken ? held.failure : failure;
+            row.error = is_taken ? held.failure : failure;
             status = status_of(is_taken ? held.why : outcome);
         } else if (not value.is_held_by(held.words)) {
-            error = is_taken ? "the unit holds another value" : failure;
+            row.error = is_taken ? "the unit holds another value" : failure;
             status = is_taken ? exit_status::differs : status_of(outcome);
         } else if (is_refusal(outcome)) {
-            error = failure;
+            row.error = failure;
             status = exit_status::differs;
         }
-        append(note, is_taken or not error.empty() ? std::string{} : failure + ": read back");
-        append(note, read_before.note);
-        std::string missed;
+        append(row.note, is_taken or not row.error.empty() ? std::string{} : failure + ": read back");
         if (may_be_written(value, before, held, outcome)) {
-            append(note, logged(value, before.text, after, missed));
+            append(row.note, logged(value, before.text, row.after, missed));
         }
         if (has_changed_others(value, before, held)) {
             std::string const all[]{counts_text(before.words[0]), counts_text(held.words[0])};
-            append(error, "other bits of the register changed: " + all[0] + " -> " + all[1]);
+            append(row.error, "other bits of the register changed: " + all[0] + " -> " + all[1]);
             status = status == exit_status::done ? exit_status::differs : status;
             value_to_write whole = value;
             whole.where.bit = -1;
-            append(note, logged(whole, all[0], all[1], missed));
+            append(row.note, logged(whole, all[0], all[1], missed));
         }
-        show(value, before.text, after, error, note);
-        return missed.empty() or status != exit_status::done ? status : exit_status::port;
+        return status;
     }
 
     static std::string counts_text(std::uint16_t word)
@@ -282,20 +378,25 @@ private:
     }
 
     /// What to do where the unit has no function that writes such a value.
-    std::string remedy_of(value_to_write const& value, errc why) const
+    std::string remedy_of(value_list const& values, errc why) const
     {
         if (why != errc::illegal_function or rules_.drive != nullptr) {
             return {};
         }
+        value_to_write const& value = values[0];
         if (value.where.bit >= 0 and not chosen_.may_rewrite) {
             return "; the unit has no function 22, which changes bits alone: --read-modify-write behind write reads "
                    "the "
                    "register and writes all of it back, so that what the unit changes in between is lost";
         }
-        return value.words.size() > 1
-                   ? "; the unit has no function 16, the only one by which no half of a value of several "
-                     "registers stands there"
-                   : "";
+        bool const has_long_one =
+            std::ranges::any_of(values, [](value_to_write const& each) { return each.words.size() > 1; });
+        return has_long_one ? "; the unit has no function 16, the only one by which no half of a value of several "
+                              "registers stands there"
+               : values.size() == 1 ? ""
+               : value.where.is_single_bit()
+                   ? "; the unit has no function 15: coils that have a word each are written one by one, by 05"
+                   : "; the unit has no function 16: registers that have a word each are written one by one, by 06";
     }
 
     /// Where nobody wants a repetition, busy units are asked once, too.
@@ -308,13 +409,15 @@ private:
         return line.run(once).error();
     }
 
-    /// By function 05 or 06, of several registers by 16, of bits by 22. A device that lacks 05 or 06 is written by 15 or 16, which is noted.
-    errc send(open_line& line, value_to_write const& value, std::string& note)
+    /// By function 05 or 06, of several registers by 16, of several coils by 15, of bits by 22. A device that lacks 05 or 06 is
+    /// written by 15 or 16, which is noted.
+    errc send(open_line& line, value_list const& values, std::string& note)
     {
+        value_to_write const& value = values[0];
         std::uint16_t const address = value.where.address;
         bool const is_coil = value.where.is_single_bit();
-        if (value.words.size() > 1) {
-            return send_all(line, value);
+        if (values.size() > 1 or value.words.size() > 1) {
+            return send_all(line, values);
         }
         if (value.where.bit >= 0) {
             return send_bits(line, value, note);
@@ -325,8 +428,12 @@ private:
             return why;
         }
         note = is_coil ? "the unit has no function 05: written by 15" : "the unit has no function 06: written by 16";
-        return is_coil ? sent(line, rtuwire::write_multiple_coils{address, rtuwire::bit_block{value.words[0] != 0}})
-                       : send_all(line, value);
+        return send_all(line, values);
+    }
+
+    errc send_all(open_line& line, value_list const& values)
+    {
+        return by_one_request(values, [&](auto const& request) { return sent(line, request); });
     }
 
     /// By function 22; where the unit lacks that, and somebody said so, all of the register as it was just read.
@@ -345,17 +452,11 @@ private:
         value_to_write whole = value;
         whole.where.bit = -1;
         whole.words[0] = static_cast<std::uint16_t>((held.words[0] & others) | value.words[0]);
-        errc const outcome = send(line, whole, note);
+        errc const outcome = send(line, {whole}, note);
         std::string by = "the unit has no function 22: read, and written as a whole";
         append(by, note);
         note = by;
         return outcome;
-    }
-
-    errc send_all(open_line& line, value_to_write const& value)
-    {
-        std::vector<std::byte> const bytes = bytes_of(value);
-        return sent(line, rtuwire::write_multiple_registers{value.where.address, rtuwire::register_view{bytes}});
     }
 
     /// Whether the unit itself says that it did not write. What a gateway says tells nothing of the unit.
@@ -365,29 +466,60 @@ private:
                why != errc::gateway_target_failed_to_respond;
     }
 
+    /// Of what was not sent: what the unit holds, where that is known.
+    void show_unwritten(value_request const& request, std::vector<held_before> const& after, std::string const& error)
+    {
+        std::vector<shown_value> rows;
+        for (std::size_t i = 0; i < request.values.size(); ++i) {
+            rows.push_back({&request.values[i], request.before[i].text, after.empty() ? held_text{} : after[i].text,
+                            error, request.before[i].note});
+        }
+        show(rows);
+    }
+
+    /// What was done is told all the same where the output takes it no more.
+    void show(std::vector<shown_value> const& rows)
+    {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            try {
+                put(rows[i]);
+            } catch (ended const& why) {
+                std::string text = why.what();
+                for (std::size_t rest = i; rest < rows.size(); ++rest) {
+                    text += "; unit " + std::to_string(unit_.unit.byte()) + ": " + sentence_of(rows[rest]);
+                }
+                throw ended{why.status, text + "; what stands behind it was not tried"};
+            }
+        }
+    }
+
+    static std::string note_of(shown_value const& row)
+    {
+        std::string all = row.error;
+        append(all, row.note);
+        return all;
+    }
+
+    static std::string sentence_of(shown_value const& row)
+    {
+        std::string const note = note_of(row);
+        return label_of({row.value->where, row.value->entry}) + ": " + shown(row.before) + " -> " + shown(row.after) +
+               (note.empty() ? "" : " (" + note + ')');
+    }
+
     /// A failure is a note for people; programs have a name for it besides.
-    void show(value_to_write const& value, held_text const& before, held_text const& after, std::string const& error,
-              std::string const& note)
+    void put(shown_value const& it)
     {
         bool const is_table = chosen_.form == output_form::table;
-        std::string all = error;
-        append(all, note);
         record row{{"unit", std::int64_t{unit_.unit.byte()}},
-                   {"register", label_of({value.where, value.entry})},
-                   {"before", cell_of(before, is_table)},
-                   {"after", cell_of(after, is_table and error != not_tried)},
-                   {"note", all}};
-        if (chosen_.form == output_form::csv or (chosen_.form == output_form::json and not error.empty())) {
-            row.add("error", error.empty() ? cell{} : cell{error});
+                   {"register", label_of({it.value->where, it.value->entry})},
+                   {"before", cell_of(it.before, is_table)},
+                   {"after", cell_of(it.after, is_table and it.error != not_tried)},
+                   {"note", note_of(it)}};
+        if (chosen_.form == output_form::csv or (chosen_.form == output_form::json and not it.error.empty())) {
+            row.add("error", it.error.empty() ? cell{} : cell{it.error});
         }
-        try {
-            results_.put(row, not error.empty());
-        } catch (ended const& why) { // what was done is told all the same
-            throw ended{why.status, std::string{why.what()} + "; unit " + std::to_string(unit_.unit.byte()) + ": " +
-                                        label_of({value.where, value.entry}) + ": " + shown(before) + " -> " +
-                                        shown(after) + (all.empty() ? "" : " (" + all + ')') +
-                                        "; what stands behind it was not tried"};
-        }
+        results_.put(row, not it.error.empty());
     }
 
     /// People are told that something is not known; for programs there is nothing.
@@ -403,7 +535,7 @@ private:
 
     /// Notes a write; what people have to know of it. Why it could not be noted is in `missed`, too.
     std::string logged(value_to_write const& value, held_text const& before, held_text const& after,
-                       std::string& missed)
+                       std::string& missed) const
     {
         unsigned const unit = unit_.unit.byte();
         std::string const why =

@@ -10,6 +10,7 @@
 #include "line/reading.hpp"
 #include "line/register_reader.hpp"
 #include "motion/unsafe_write.hpp"
+#include "words/value_block.hpp"
 
 namespace tool {
 
@@ -70,10 +71,24 @@ void refuse_changed_values(std::vector<value_to_write> const& confirmed, std::ve
     }
 }
 
-std::vector<value_to_write> checked_values(std::vector<std::string> const& words, open_line& line,
+std::vector<value_to_write> checked_values(std::vector<std::string> const& typed, open_line& line,
                                            named_unit const& unit, write_rules const& rules, choices const& chosen)
 {
     vocabulary const meant{rules.drive, unit.names};
+    std::vector<std::string> words;
+    std::vector<bool> is_with_previous;
+    for (std::string const& word : typed) {
+        value_block const block = values_in(word, meant);
+        for (chosen_register const& each : block.registers) { // whatever their values are
+            refuse_command({.where = each.where, .entry = each.entry}, rules, chosen);
+        }
+        if (block.refused) {
+            refuse(*block.refused);
+        }
+        words.insert(words.end(), block.words.begin(), block.words.end());
+        is_with_previous.push_back(false);
+        is_with_previous.resize(words.size(), true);
+    }
     std::vector<chosen_register> needed;
     for (std::string const& word : words) { // what needs no request to be refused
         value_to_write const value = check_value(word, meant);
@@ -102,6 +117,7 @@ std::vector<value_to_write> checked_values(std::vector<std::string> const& words
         if (rules.drive == nullptr) {
             refuse_overlap(values, value, words);
         }
+        value.is_with_previous = is_with_previous[values.size()];
         values.push_back(value);
     }
     return values;

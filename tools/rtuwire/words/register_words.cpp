@@ -270,20 +270,6 @@ refusal_or_none collector::add_code(std::string_view word)
     return unknown("unknown_register", word, not_among(*drive_), nearest_word(word, codes_of(*drive_)));
 }
 
-/// The parts of a word between its commas, which may be empty.
-std::vector<std::string_view> parts_of(std::string_view word)
-{
-    std::vector<std::string_view> parts;
-    while (true) {
-        std::size_t const comma = word.find(',');
-        parts.push_back(word.substr(0, comma));
-        if (comma == word.npos) {
-            return parts;
-        }
-        word.remove_prefix(comma + 1);
-    }
-}
-
 } // namespace
 
 register_selection select_registers(std::span<std::string_view const> words, vocabulary const& known)

@@ -35,6 +35,7 @@ struct value_to_write {
     std::vector<std::uint16_t>
         words{};                     ///< what stands on the wire; of a drive one; of bits they alone; of a coil 0 or 1
     std::string text{};              ///< the same for people: "1.3 s"
+    bool is_with_previous{false};    ///< it goes in one request with the value before it
     std::optional<step_size> step{}; ///< of one count of a drive's register, where it is known
     /// Registers that set its limits or its step and have to be read first: read them, and check again.
     std::vector<register_entry const*> needed{};

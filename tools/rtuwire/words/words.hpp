@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tool {
 
@@ -29,6 +30,9 @@ struct refusal {
 
 /// Whether two words are the same but for upper and lower case (of ASCII).
 [[nodiscard]] bool is_same_word(std::string_view left, std::string_view right) noexcept;
+
+/// The parts of a word between its commas, which may be empty.
+[[nodiscard]] std::vector<std::string_view> parts_of(std::string_view word);
 
 /// Whether a text holds another, without regard to case.
 [[nodiscard]] bool holds_word(std::string_view text, std::string_view word);
