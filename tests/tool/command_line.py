@@ -6,6 +6,7 @@
 """
 import os
 import re
+import shlex
 import shutil
 import subprocess
 
@@ -239,6 +240,23 @@ def check_rs485(tool, check):
               "--rs485 of a driver that cannot", ended)
 
 
+def check_register_files(tool, check):
+    """No command leaves a register file out in silence: it reads it before anything is opened, or says that it does not."""
+    listed = tool.run("--help").output.partition("\nSubcommands:\n")[2]
+    commands = re.findall(r"^  (\w+) ", listed, re.MULTILINE)
+    check(len(commands) > 20, "the commands of the help", commands)
+    reads = []
+    for command in commands:
+        example = re.search(r"^Example: rtuwire (.*?)(?:;| >|$)", tool.run(command, "--help").output, re.MULTILINE)[1]
+        ended = tool.run("--device", "nowhere.toml", *shlex.split(example))
+        is_read = ended.errors.endswith(".toml: No such file or directory\n")  # of the example itself, or of --device
+        is_refused = f"know register files, '{command}' does not" in ended.errors
+        check(ended.status == USAGE and is_read != is_refused, f"--device of {command}", ended)
+        reads += [command] if is_read else []
+    for command in ("read", "watch", "monitor", "write", "ask", "backup", "compare", "restore", "sniff", "replay", "decode"):
+        check(command in reads, f"{command} knows register files", reads)
+
+
 def check_stop(tool, check):
     for words, is_told in (([], True), (["-u", "1"], False)):
         ended = tool.run("--port", CABINET, "--timeout", "0.05", *words, "stop")
@@ -267,7 +285,7 @@ def main(check, program):
             ended = tool.run(*words)
             is_named = ended.errors.startswith("rtuwire: ") and all(part in ended.errors for part in parts)
             check(ended.status == USAGE and not ended.output and is_named, f"{words} is refused", ended)
-        for part in (check_help, check_completion, check_configuration, check_times, check_rs485, check_stop, check_stop_beside):
+        for part in (check_help, check_completion, check_configuration, check_times, check_rs485, check_register_files, check_stop, check_stop_beside):
             part(tool, check)
 
 

@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "command_words.hpp"
+#include "commands/commands.hpp"
 #include "configuration.hpp"
 #include "device/register_file.hpp"
 #include "help/tool_texts.hpp"
@@ -280,19 +281,30 @@ exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
     return exit_status::usage;
 }
 
+/// "read, watch, ... and simulate".
+std::string commands_with_files()
+{
+    std::string text;
+    for (command const& each : commands) {
+        if (each.files == file_use::names) {
+            text += (text.empty() ? "" : ", ") + std::string{each.name};
+        }
+    }
+    for (command const& each : commands) {
+        text += each.files == file_use::served ? " and " + std::string{each.name} : "";
+    }
+    return text;
+}
+
 /// Before anything is opened. The longest pause that one of them wants is that of the line, unless one is typed.
 void read_register_files(choices& chosen, bool has_pause)
 {
-    constexpr std::string_view by_name[]{"read",    "watch",   "monitor", "write",  "ask",   "backup",
-                                         "compare", "restore", "sniff",   "replay", "decode"};
     line_choices& line = chosen.line;
-    bool const knows_names = std::ranges::count(by_name, chosen.command) > 0;
+    command const* const asked = command_named(chosen.command);
+    bool const knows_names = asked != nullptr and asked->files == file_use::names;
     line.knows_registers = knows_names;
     if (not line.device.empty() and not knows_names) {
-        refuse_word("--device: read, watch, monitor, write, ask, backup, compare, restore, sniff, replay, decode and "
-                    "simulate know "
-                    "register files, '" +
-                    chosen.command + "' does not");
+        refuse_word("--device: " + commands_with_files() + " know register files, '" + chosen.command + "' does not");
     }
     std::vector<std::string> files;
     for (named_unit const& each : knows_names ? names_in(line) : std::vector<named_unit>{}) {

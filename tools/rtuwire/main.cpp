@@ -4,7 +4,6 @@
 #include <csignal>
 #include <exception>
 #include <string>
-#include <string_view>
 
 #include "../support/standard_descriptors.hpp"
 #include "command_line.hpp"
@@ -16,21 +15,6 @@ namespace {
 
 using namespace tool;
 
-struct command {
-    std::string_view name;
-    exit_status (*run)(choices const&);
-};
-
-constexpr command commands[] = {
-    {"scan", run_scan},         {"identify", run_identify}, {"read", run_read},     {"watch", run_watch},
-    {"list", run_list},         {"explain", run_explain},   {"faults", run_faults}, {"write", run_write},
-    {"sniff", run_sniff},       {"capture", run_capture},   {"replay", run_replay}, {"timing", run_timing},
-    {"simulate", run_simulate}, {"monitor", run_monitor},   {"decode", run_decode}, {"start", run_start},
-    {"stop", run_stop},         {"reset", run_reset},       {"backup", run_backup}, {"compare", run_compare},
-    {"restore", run_restore},   {"device", run_device},     {"ports", run_ports},   {"ask", run_ask},
-    {"map", run_map},
-};
-
 /// Behind the last frame, however the command ends.
 struct last_note {
     ~last_note() { tell_dropped(); }
@@ -39,12 +23,11 @@ struct last_note {
 exit_status run(choices const& chosen)
 {
     last_note const at_the_end;
-    for (command const& each : commands) {
-        if (each.name == chosen.command) {
-            return each.run(chosen);
-        }
+    command const* const wanted = command_named(chosen.command);
+    if (wanted == nullptr) {
+        refuse_word("'" + chosen.command + "' is no command");
     }
-    refuse_word("'" + chosen.command + "' is no command");
+    return wanted->run(chosen);
 }
 
 } // namespace

@@ -3,6 +3,9 @@
 // What the tool can do: a function a command, each in a file of its own. They throw `ended` where they end early.
 #pragma once
 
+#include <cstdint>
+#include <string_view>
+
 #include "choices.hpp"
 #include "exit_status.hpp"
 
@@ -33,5 +36,46 @@ exit_status run_replay(choices const& chosen);
 exit_status run_timing(choices const& chosen);
 exit_status run_ports(choices const& chosen);
 exit_status run_device(choices const& chosen);
+
+/// What a command makes of the register file of a unit, of --device or --name.
+enum class file_use : std::uint8_t {
+    none,   ///< it refuses --device
+    names,  ///< it knows the registers by their names, and what the file says of them
+    served, ///< the file is the device
+};
+
+/// Nothing of it has a default: what a new command makes of register files is said, or it does not compile.
+struct command {
+    std::string_view name;
+    exit_status (*run)(choices const&);
+    file_use files;
+};
+
+inline constexpr command commands[]{
+    {"ports", run_ports, file_use::none},       {"scan", run_scan, file_use::none},
+    {"identify", run_identify, file_use::none}, {"map", run_map, file_use::none},
+    {"read", run_read, file_use::names},        {"watch", run_watch, file_use::names},
+    {"monitor", run_monitor, file_use::names},  {"list", run_list, file_use::none},
+    {"explain", run_explain, file_use::none},   {"faults", run_faults, file_use::none},
+    {"write", run_write, file_use::names},      {"ask", run_ask, file_use::names},
+    {"start", run_start, file_use::none},       {"stop", run_stop, file_use::none},
+    {"reset", run_reset, file_use::none},       {"backup", run_backup, file_use::names},
+    {"compare", run_compare, file_use::names},  {"restore", run_restore, file_use::names},
+    {"sniff", run_sniff, file_use::names},      {"capture", run_capture, file_use::none},
+    {"replay", run_replay, file_use::names},    {"timing", run_timing, file_use::none},
+    {"decode", run_decode, file_use::names},    {"simulate", run_simulate, file_use::served},
+    {"device", run_device, file_use::none},
+};
+
+/// Null where there is none of that name: `completion` and `man` are of the command line itself.
+constexpr command const* command_named(std::string_view name)
+{
+    for (command const& each : commands) {
+        if (each.name == name) {
+            return &each;
+        }
+    }
+    return nullptr;
+}
 
 } // namespace tool
