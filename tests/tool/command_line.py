@@ -253,7 +253,7 @@ def check_register_files(tool, check):
         is_refused = f"know register files, '{command}' does not" in ended.errors
         check(ended.status == USAGE and is_read != is_refused, f"--device of {command}", ended)
         reads += [command] if is_read else []
-    for command in ("read", "watch", "monitor", "write", "ask", "backup", "compare", "restore", "sniff", "replay", "decode"):
+    for command in ("read", "watch", "monitor", "write", "ask", "map", "backup", "compare", "restore", "sniff", "replay", "decode"):
         check(command in reads, f"{command} knows register files", reads)
 
 

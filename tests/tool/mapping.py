@@ -231,6 +231,79 @@ def check_silent(tool, check):
         check(ended.status == NO_ANSWER, "one that is off", ended)
 
 
+FILE = """
+[device]
+vendor = "Maker"
+product = "Meter"
+max_registers = 50
+[groups]
+slow = "1min"
+[[register]]
+name = "level"
+space = "input"
+address = 2
+[[register]]
+name = "absent"
+space = "input"
+address = 10
+type = "u32"
+[[register]]
+name = "low"
+space = "input"
+address = 12
+bits = "0-3"
+[[register]]
+name = "high"
+space = "input"
+address = 12
+bits = "8"
+[[register]]
+name = "power"
+space = "input"
+address = 1000
+type = "f32"
+[[register]]
+name = "far"
+space = "input"
+address = 5000
+[[register]]
+name = "relay"
+space = "coil"
+address = 77
+[[register]]
+name = "lamp"
+space = "coil"
+address = 90
+"""
+
+
+def check_names(tool, check):
+    """A register file beside it: what it names is a row of its own, whether the unit has it or not."""
+    (tool.place / "meter.toml").write_text(FILE)
+    how = [*QUIET, "-u", METER, "--device", "meter.toml"]
+    rows = [(row["first"], row["last"], row["register"], row["note"])
+            for row in tool.run(*how, "--csv", "map", "input:0-20", "input:990-1020").rows()]
+    lacks = "the unit has no such address"
+    check(rows == [("0", "1", "", ""), ("2", "2", "level", ""), ("3", "8", "", ""), ("10", "11", "absent", lacks),
+                   ("12", "12", "low, high", ""), ("1000", "1001", "power", ""), ("1002", "1011", "", "")], "rows have the file's names", rows)
+    ended = tool.run(*how, "--json", "map", "input:0-20")
+    check("5 of the registers of meter.toml are beyond what was mapped" not in ended.errors
+          and "4 of the registers of meter.toml are beyond" in ended.errors, "what is beyond is told", ended)
+    ended = tool.run(*how, "--json", "map", "coil:0-99")
+    rows = [(row["first"], row["register"], row["note"]) for row in ended.objects()]
+    check(ended.status == DIFFERS and rows == [(77, "relay", lacks), (90, "lamp", lacks)], "of a space that the unit lacks all is told", ended)
+    ended = tool.run(*how[:-4], "-u", "m", "--name", f"m={MODULE}:meter.toml", "--csv", "map", "coil:70-99", "--resume", "names.map")
+    kept = tool.run(*how[:-4], "-u", MODULE, "--csv", "map", "coil:70-99", "--resume", "names.map")
+    check([row["register"] for row in ended.rows()] == ["relay", "lamp"] and "register" not in kept.rows()[0], "a name's file as well", (ended, kept))
+    with Simulator(tool.program, "atv320:7") as device:
+        ended = tool.run("--no-listen", "-u", 7, "--device", "meter.toml", "map", "3200-3230", port=device)
+        check(ended.status == REFUSED and "is an atv320" in ended.errors, "a file makes no drive one that is mapped unasked", ended)
+    with named({7: {0: 1}}) as line:
+        line.names = ("Other", "Thing", "1")
+        ended = tool.run("--no-listen", "--timeout", 0.2, "-u", 7, "--device", "meter.toml", "map", "0-2", port=line.name)
+        check(ended.status == DONE and "calls itself 'Other Thing', and is to be 'Maker Meter'" in ended.errors, "another device is told", ended)
+
+
 def check_drive(tool, check):
     """A drive is mapped after a question, or with --yes."""
     with Simulator(tool.program, "atv320:7") as device:
@@ -255,7 +328,7 @@ def main(check, program):
     with Tool(program) as tool, Programs() as others:
         near, tool.port = others.line()
         others.serve(near, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
-        for part in (check_kinds, check_forms, check_end, check_silent, check_drive, check_another, check_unnamed_drive):
+        for part in (check_kinds, check_names, check_forms, check_end, check_silent, check_drive, check_another, check_unnamed_drive):
             part(tool, check)
 
 

@@ -183,7 +183,8 @@ void add_reading(CLI::App& app, choices& chosen)
     add_command(app, chosen, "identify", "who is it?");
     CLI::App& map = add_command(app, chosen, "map", "which addresses does a unit have?");
     add_operands(map, chosen, "RANGE",
-                 "input:1000-1999, list:40001-40100, coil, 0x0C80-0x0CFF; without one holding:0-9999 input:0-9999");
+                 "input:1000-1999, list:40001-40100, coil, 0x0C80-0x0CFF; without one holding:0-9999 input:0-9999; "
+                 "with --device the names of what is there, and of what is not");
     map.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
     CLI::App& read = add_command(app, chosen, "read", "read registers");
     add_places(read, chosen, true);

@@ -53,7 +53,7 @@ struct command {
 
 inline constexpr command commands[]{
     {"ports", run_ports, file_use::none},       {"scan", run_scan, file_use::none},
-    {"identify", run_identify, file_use::none}, {"map", run_map, file_use::none},
+    {"identify", run_identify, file_use::none}, {"map", run_map, file_use::names},
     {"read", run_read, file_use::names},        {"watch", run_watch, file_use::names},
     {"monitor", run_monitor, file_use::names},  {"list", run_list, file_use::none},
     {"explain", run_explain, file_use::none},   {"faults", run_faults, file_use::none},

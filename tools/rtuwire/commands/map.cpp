@@ -4,9 +4,11 @@
 // refused, too. It only reads.
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands/commands.hpp"
@@ -71,7 +73,14 @@ public:
     explicit mapping(choices const& chosen)
         : chosen_{chosen}, ranges_{ranges_in(chosen.words)}, unit_{unit_in(chosen.line)},
           log_{chosen.scan.resume_file, unit_.unit.byte()}, results_{chosen.form, true}, bar_{addresses()}
-    {}
+    {
+        for (named_place const& each : unit_.names == nullptr ? std::vector<named_place>{} : unit_.names->places) {
+            for (unsigned at = each.where.address; at < each.where.address + unsigned{each.where.size()}; ++at) {
+                std::string& names = names_[{each.where.space, at}];
+                names += (names.empty() ? "" : ", ") + each.where.name;
+            }
+        }
+    }
 
     exit_status run()
     {
@@ -97,6 +106,7 @@ public:
         } else if (first_) {
             tell("what is there? " + reading_text(*first_));
         }
+        tell_names(line);
         if (noted_signal() != 0) {
             tell_end();
             return static_cast<exit_status>(128 + noted_signal());
@@ -119,6 +129,24 @@ private:
                                                       : "; the same command goes on from there");
     }
 
+    /// What a register file names, and what was mapped does not tell of.
+    void tell_names(open_line& line)
+    {
+        std::size_t beyond = 0;
+        for (named_place const& each : unit_.names == nullptr ? std::vector<named_place>{} : unit_.names->places) {
+            beyond += std::ranges::none_of(ranges_, [&each](address_range const& range) {
+                return range.space == each.where.space and range.first <= each.where.address and
+                       each.where.address + each.where.size() - 1U <= range.last;
+            });
+        }
+        if (beyond > 0) {
+            tell(std::to_string(beyond) + " of the registers of " + unit_.names->file + " are beyond what was mapped");
+        }
+        if (unit_.names != nullptr and noted_signal() == 0) {
+            tell_another_device(line, unit_);
+        }
+    }
+
     std::size_t addresses() const
     {
         std::size_t all = 0;
@@ -128,14 +156,21 @@ private:
         return all;
     }
 
+    /// Not one that somebody said is none: a register file is no such word, where a drive would be fed for hours.
+    bool is_asked_who() const
+    {
+        return unit_.drive != no_drive or (unit_.names != nullptr and chosen_.line.drive != no_drive);
+    }
+
     /// Who is asked for hours is told what that does to it, where it is a drive. The drive, where it is known.
     drive_catalog const* drive_there(open_line& line) const
     {
-        if (line.port().is_simulated() or unit_.drive == no_drive) {
+        if (line.port().is_simulated() or not is_asked_who()) {
             return nullptr;
         }
-        identity_words const who = unit_.drive.empty() ? who_is_it(line, unit_.unit)
-                                                       : identity_words{.drive = unit_.drive, .may_be_drive = true};
+        identity_words const who = unit_.drive.empty() or unit_.names != nullptr
+                                       ? who_is_it(line, unit_.unit)
+                                       : identity_words{.drive = unit_.drive, .may_be_drive = true};
         if (who.drive.empty() and not who.may_be_drive and not may_be_unnamed_drive(line, unit_.unit, who)) {
             return nullptr;
         }
@@ -160,7 +195,7 @@ private:
                       std::to_string(unit_.unit.byte()),
                       "that is not asked what it is",
                       {}};
-        if (unit_.drive != no_drive) {
+        if (is_asked_who()) {
             identity_words who;
             errc const outcome = read_identity(line, unit_.unit, who);
             if (status_of(outcome) == exit_status::port) {
@@ -177,11 +212,12 @@ private:
         return head;
     }
 
-    static unsigned most_of(register_space space, drive_catalog const* drive)
+    unsigned most_of(register_space space, drive_catalog const* drive) const
     {
+        auto const of_file = unit_.names == nullptr ? std::nullopt : unit_.names->max_registers;
         return space >= register_space::coil                           ? rtuwire::max_bit_quantity
                : drive != nullptr and space == register_space::holding ? drive->limits.read
-                                                                       : rtuwire::max_read_quantity;
+                                                                       : of_file.value_or(rtuwire::max_read_quantity);
     }
 
     /// All addresses of a range; false where somebody ended it.
@@ -204,7 +240,11 @@ private:
                                              static_cast<std::uint16_t>(count));
             if (held.why == errc::illegal_function and not has_answered) {
                 tell("the unit has no " + std::string{name_of(range.space)} + " addresses: " + held.failure);
-                done_ += range.last - at + 1;
+                for (; at <= range.last; ++at) {
+                    found_address const known = log_.at(range.space, at);
+                    pass(range.space, at,
+                         known.what == found_address::kind::unknown ? found_address{found_address::kind::none} : known);
+                }
                 return true;
             }
             refuse_lost(line, held, range.space, at, count);
@@ -286,30 +326,36 @@ private:
     {
         ++done_;
         here_ += found.what == found_address::kind::here ? 1 : 0;
-        bool const goes_on =
-            run_ and run_->where.space == space and run_->where.last + 1 == address and run_->found == found;
+        auto const named = names_.find({space, address});
+        std::string const names = named == names_.end() ? std::string{} : named->second;
+        bool const goes_on = run_ and run_->where.space == space and run_->where.last + 1 == address and
+                             run_->found == found and run_->names == names;
         if (goes_on) {
             run_->where.last = address;
             return;
         }
         close_run();
-        run_ = {{space, address, address}, found};
+        run_ = {{space, address, address}, found, names};
     }
 
     void close_run()
     {
-        bool const is_shown = run_ and run_->found.what != found_address::kind::none;
-        if (is_shown and run_->found.what == found_address::kind::here and not first_) {
+        bool const is_none = run_ and run_->found.what == found_address::kind::none;
+        bool const is_shown = run_ and (not is_none or not run_->names.empty());
+        if (run_ and run_->found.what == found_address::kind::here and not first_) {
             first_ = run_->where;
         }
         if (is_shown) {
             bar_.clear();
-            results_.put({{"unit", std::int64_t{unit_.unit.byte()}},
-                          {"space", std::string{name_of(run_->where.space)}},
-                          {"first", std::int64_t{run_->where.first}},
-                          {"last", std::int64_t{run_->where.last}},
-                          {"count", std::int64_t{run_->where.last - run_->where.first + 1}},
-                          {"note", run_->found.why}});
+            record row{{"unit", std::int64_t{unit_.unit.byte()}},
+                       {"space", std::string{name_of(run_->where.space)}},
+                       {"first", std::int64_t{run_->where.first}},
+                       {"last", std::int64_t{run_->where.last}},
+                       {"count", std::int64_t{run_->where.last - run_->where.first + 1}}};
+            if (unit_.names != nullptr) {
+                row.add("register", run_->names);
+            }
+            results_.put(row.add("note", is_none ? "the unit has no such address" : run_->found.why), is_none);
         }
         run_.reset();
     }
@@ -356,12 +402,14 @@ private:
     struct run_of_addresses {
         address_range where;
         found_address found;
+        std::string names; ///< by a register file
     };
 
     choices const& chosen_;
     std::vector<address_range> ranges_;
     named_unit unit_;
     map_log log_;
+    std::map<std::pair<register_space, unsigned>, std::string> names_{};
     output results_;
     progress bar_;
     std::optional<run_of_addresses> run_{};

@@ -40,19 +40,6 @@ record for_programs(reading const& it, chosen_register const& which, unit_addres
     return line;
 }
 
-/// Where a unit says that it is none of the device whose register file names its registers.
-void tell_another_device(open_line& line, named_unit const& unit)
-{
-    identity_words who;
-    bool const is_said = unit.names != nullptr and not unit.names->vendor.empty() and
-                         read_identity(line, unit.unit, who) == rtuwire::errc::none;
-    std::string const why =
-        is_said ? why_another_device(unit.unit, who, unit.names->vendor, unit.names->product) : std::string{};
-    if (not why.empty()) {
-        tell_error(why);
-    }
-}
-
 /// One unit's registers.
 exit_status read_unit(asked_registers const& asked, output_form form, open_line& line, output& results,
                       bool is_of_several)

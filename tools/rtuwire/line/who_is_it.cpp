@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "output/plain_text.hpp"
 #include "words/suggestion.hpp"
 
 namespace tool {
@@ -329,6 +330,18 @@ std::string why_another_device(unit_address unit, identity_words const& who, std
     return not is_another ? std::string{}
                           : "unit " + std::to_string(unit.byte()) + " calls itself '" + who.vendor + ' ' + who.product +
                                 "', and is to be '" + vendor + ' ' + product + "'";
+}
+
+void tell_another_device(open_line& line, named_unit const& unit)
+{
+    identity_words who;
+    bool const is_said = unit.names != nullptr and not unit.names->vendor.empty() and
+                         read_identity(line, unit.unit, who) == rtuwire::errc::none;
+    std::string const why =
+        is_said ? why_another_device(unit.unit, who, unit.names->vendor, unit.names->product) : std::string{};
+    if (not why.empty()) {
+        tell_error(why);
+    }
 }
 
 drive_catalog const& catalog_chosen(std::string const& name)

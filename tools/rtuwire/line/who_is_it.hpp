@@ -42,6 +42,9 @@ identity_words who_is_it(open_line& line, unit_address unit);
 [[nodiscard]] std::string why_another_device(unit_address unit, identity_words const& who, std::string const& vendor,
                                              std::string const& product);
 
+/// Tells on the error output where a unit says that it is none of the device whose register file names its registers.
+void tell_another_device(open_line& line, named_unit const& unit);
+
 /// The catalog of the unit: the one that was chosen, else that of the drive that it is. Ends where it is none.
 drive_catalog const& catalog_of(open_line& line, unit_address unit, std::string const& chosen);
 
