@@ -423,6 +423,60 @@ def check_rich_file(tool, check):
     check(row["choices"] == "cool -1, off 0, heat 1" and row["group"] == "fast" and row["note"] == "stored", "a check shows them", row)
 
 
+BITS_FILE = """
+[[register]]
+name = "alarm"
+address = 8
+bits = "0"
+[[register]]
+name = "pump"
+address = 8
+bits = "3"
+access = "write"
+moves = true
+[[register]]
+name = "mode"
+address = 8
+bits = "4-7"
+access = "write"
+choices = { off = 0, heat = 1, cool = 9 }
+[[register]]
+name = "level"
+address = 8
+bits = "8-11"
+access = "write"
+max = 12
+"""
+
+
+def check_named_bits(tool, check):
+    """Bits that a register file has a name for are written alone, by function 22; of a device that is simulated as well."""
+    (tool.place / "bits.toml").write_text(BITS_FILE)
+    tool.run(*QUIET, "-u", MODULE, "-d", "none", "--write", "write", "8=0xA005")
+    how = ["--device", "bits.toml", "--write", "--json"]
+    for words, held, shown in ((["mode=cool"], 0xA095, ["cool (9)"]), (["level=12", "mode=heat"], 0xAC15, ["12", "heat (1)"]),
+                               (["--allow-run", "pump=on"], 0xAC1D, ["1"])):
+        beside = [words.pop(0)] if words[0].startswith("--") else []
+        ended = tool.run(*QUIET, "-u", MODULE, *how, *beside, "write", *words)
+        found = tool.run(*QUIET, "-u", MODULE, "--json", "read", "8").objects()[0]["raw"]
+        check(ended.status == DONE and found == held and [row["after"] for row in ended.objects()] == shown, f"{words}", (ended, hex(found)))
+    for words, status, says in ((["pump=off"], REFUSED, "pump moves something"), (["alarm=on"], USAGE, "read only"), (["level=13"], USAGE, "at most 12"),
+                                (["mode=2"], USAGE, "mode takes"), (["holding:8=1"], USAGE, "read only"), (["8.4-7=1"], USAGE, "say that name"),
+                                (["mode,level=heat,1"], USAGE, "bits of a register are written by words of their own")):
+        ended = tool.run(*QUIET, "-u", MODULE, *how, "write", *words)
+        found = tool.run(*QUIET, "-u", MODULE, "--json", "read", "8").objects()[0]["raw"]
+        check(ended.status == status and says in ended.errors and found == 0xAC1D, f"{words} is refused before a frame leaves", ended)
+    ended = tool.run(*QUIET, "-u", SIXTEEN, *how, "write", "mode=heat")
+    check(ended.status == DIFFERS and "--read-modify-write" in ended.output, "a unit without function 22 is not written by itself", ended)
+    ended = tool.run(*QUIET, "-u", SIXTEEN, *how, "write", "--read-modify-write", "mode=heat")
+    found = tool.run(*QUIET, "-u", SIXTEEN, "--json", "read", "8").objects()[0]["raw"]
+    check(ended.status == DONE and found == 0x10, "and is where somebody says so", (ended, found))
+    text = BITS_FILE.replace('bits = "0"', 'bits = "0"\nsimulated = true\nchoices = { bad = 1 }')
+    (tool.place / "simulated.toml").write_text(text)
+    ended = tool.run("-u", 5, "--device", "simulated.toml", "--write", "--json", "write", "mode=heat", "level=3", port="sim:simulated.toml:5")
+    check(ended.status == DONE and [row["after"] for row in ended.objects()] == ["heat (1)", "3"], "a simulated one takes them", ended)
+
+
 def check_drive(tool, check):
     """A drive's words are protected by whatever words they are named; so are they of a drive that is said to be none."""
     tool.port = "sim:atv320:7,atv28:4"
@@ -495,7 +549,7 @@ def main(check, program):
         addresses = ",".join(row["address"] for row in tool.run("--csv", "list", "-d", "atv320").rows())
         near_end, tool.port = others.line()
         others.serve(near_end, [sys.executable, "-B", __file__, "--serve", "@", addresses], stderr=subprocess.DEVNULL)
-        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_bits_written, check_formulas, check_register_file, check_rich_file, check_units,
+        for part in (check_meter, check_orders, check_bits, check_holes, check_any_values, check_refusals, check_writes, check_bits_written, check_formulas, check_register_file, check_rich_file, check_named_bits, check_units,
                      check_drive):
             part(tool, check)
 

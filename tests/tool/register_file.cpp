@@ -288,7 +288,7 @@ TEST_CASE("a register file that is wrong is refused with its place and the reaso
         {of_one("access = true"), "m.toml:4:10: access is a text"},
         {of_one("space = \"input\"\naccess = \"write\""),
          "m.toml:5:10: input registers and discrete inputs are read only"},
-        {of_one("bits = \"3\"\naccess = \"write\""), "written as a whole"},
+        {of_one("bits = \"3\"\naccess = \"write\"\nsetting = true"), "m.toml:6:11: some bits of a register are no setting"},
         {of_one("min = 3"), "m.toml:4:7: min and max limit what is written, and this is not written"},
         {of_one("access = \"write\"\nmin = 3\nmax = 2"), "m.toml:5:7: min is above max"},
         {of_one("access = \"write\"\ntype = \"text8\"\nmax = 2"), "this is no number"},

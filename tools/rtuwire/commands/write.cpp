@@ -346,7 +346,7 @@ private:
             append(row.error, "other bits of the register changed: " + all[0] + " -> " + all[1]);
             status = status == exit_status::done ? exit_status::differs : status;
             value_to_write whole = value;
-            whole.where.bit = -1;
+            whole.where = {.address = value.where.address, .space = value.where.space};
             append(row.note, logged(whole, all[0], all[1], missed));
         }
         return status;

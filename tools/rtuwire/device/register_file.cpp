@@ -307,9 +307,6 @@ private:
         if (one.where.space == register_space::input or one.where.space == register_space::discrete) {
             refuse(at, "input registers and discrete inputs are read only");
         }
-        if (one.where.bit >= 0) {
-            refuse(at, "a register is written as a whole, not its bits");
-        }
         one.is_writable = true;
     }
 
@@ -425,6 +422,10 @@ private:
                 refuse(from.get(key)->source(),
                        std::string{key} + " is of what is written, and this has no access = \"write\"");
             }
+        }
+        if (one.is_setting and one.where.bit >= 0) {
+            refuse(from.get("setting")->source(),
+                   "some bits of a register are no setting: a restore writes whole registers");
         }
         if (one.moves and one.is_setting) {
             refuse(from.get("setting")->source(), "what moves something is no setting: it is never restored");

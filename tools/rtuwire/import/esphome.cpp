@@ -195,7 +195,10 @@ private:
         int const last = static_cast<int>(std::bit_width(mask)) - 1;
         one.bits = std::to_string(low) + (last == low ? "" : '-' + std::to_string(last));
         if (one.is_writable) {
-            into_.lose(from.place, one.name + " is read only here: some bits of a register are not written");
+            into_.lose(
+                from.place,
+                one.name +
+                    " is read only here: it is some bits of a register, which the other program writes as a whole");
             one.is_writable = false;
         }
     }

@@ -73,7 +73,10 @@ private:
         one.is_writable =
             (one.space == "holding" or one.space == "coil") and not from.is_true("readonly") and one.is_writable;
         if (one.is_writable and not one.bits.empty()) {
-            into_.lose(from.place, one.name + " is read only here: some bits of a register are not written");
+            into_.lose(
+                from.place,
+                one.name +
+                    " is read only here: it is some bits of a register, which the other program writes as a whole");
             one.is_writable = false;
         }
         one.is_setting = is_setting and one.space == "holding";

@@ -76,11 +76,17 @@ public:
         for (named_place const& each : of_.places) {
             bool const is_met = each.where.space == space and each.where.address < start + words.size() and
                                 start < each.where.address + each.where.size();
-            if (is_met and not each.is_writable) {
+            // Bits stay beside others of their register that change.
+            bool const stays =
+                is_met and each.where.bit >= 0 and
+                ((words[each.where.address - start] ^ get(space, each.where.address)) & each.where.mask()) == 0;
+            if (not is_met or stays) {
+                continue;
+            }
+            if (not each.is_writable) {
                 return errc::illegal_data_address;
             }
-            wrong = wrong == errc::none and is_met and not may_become(each, start, words) ? errc::illegal_data_value
-                                                                                          : wrong;
+            wrong = wrong == errc::none and not may_become(each, start, words) ? errc::illegal_data_value : wrong;
         }
         return wrong;
     }
