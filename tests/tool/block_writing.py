@@ -26,6 +26,7 @@ async def serve(device, log):
     from pymodbus.datastore import ModbusServerContext, ModbusSlaveContext
     from pymodbus.device import ModbusDeviceIdentification
     from pymodbus.pdu import ModbusExceptions
+    from pymodbus.register_read_message import ReadWriteMultipleRegistersRequest
     from pymodbus.register_write_message import (MaskWriteRegisterRequest, WriteMultipleRegistersRequest,
                                                  WriteSingleRegisterRequest)
     from pymodbus.server import StartAsyncSerialServer
@@ -44,9 +45,11 @@ async def serve(device, log):
             return (code != 3 or count == 1) and super().validate(code, address, count)
 
     for request in (WriteSingleCoilRequest, WriteMultipleCoilsRequest, WriteSingleRegisterRequest, WriteMultipleRegistersRequest,
-                    MaskWriteRegisterRequest):
+                    MaskWriteRegisterRequest, ReadWriteMultipleRegistersRequest):
         def execute(self, context, known=request.execute):
             values = getattr(self, "values", None)
+            if self.function_code == 23:
+                self.address, values = f"{self.write_address} then {self.read_address}+{self.read_count}", self.write_registers
             with open(log, "a", encoding="ascii") as out:
                 print(self.unit_id, self.function_code, self.address, [int(each) for each in values] if values else "", file=out)
             if isinstance(context, Lacks) and self.function_code > 6:
@@ -149,7 +152,7 @@ def check_refusals(module, check):
                        ("40,coil:41=1,on", "neighbours"), ("40:f32,41=1,2", "neighbours"), ("40-41=1,", "41=: a value"), ("40-41=,1", "REG=VALUE"),
                        ("40-41=1,70000", "41=70000"), ("40-41:i16=1,-40000", "41:i16=-40000"), ("40-42:f32=1,2", "end the range at 43"),
                        ("coil:0-1=on,2", "coil:1=2"), ("40.0,40.1=on,off", "bits of a register"), ("input:0-1=1,2", "read only"),
-                       ("discrete:0-1=on,off", "read only"), (f"100-223={many}", "at most 123 registers, and these are 124"),
+                       ("discrete:0-1=on,off", "read only"), (f"100-223={many}", "one request has at most 123 registers, and these are 124"),
                        ("coil:0-1968=" + ",".join(["on"] * 1969), "at most 1968 coils"), ("65535-65536=1,2", "0 to 65535"),
                        ("40-41:0.1V=1.25V,1V", "1.2 V or 1.3 V"), ("40-41=1,2", "'40=1' and '40=9'"), ("'*'=1,2", "")):
         ended, came = module.write("40=9" if "'40=9'" in says else "45=9", word)
@@ -218,6 +221,32 @@ def check_names(module, check):
     check(ended.status == 0 and came == [f"{MODULE} 16 41 [0, 1]"], "what moves is written where --allow-run says so", (ended, came))
     ended, came = module.write("jog,shown=1,1", beside=(*beside, "--allow-run"))
     check(ended.status == 2 and "shown is read only" in ended.errors and not came, "what is read only is not", (ended, came))
+
+
+def check_exchange(module, check):
+    """Function 23: the write as pymodbus takes it, and what it reads behind it."""
+    module.write("100-102=5,6,7")
+    half = struct.unpack(">2H", struct.pack(">f", 1.5))
+    for words, sent, read in ((["40-41=1,2", "--then-read", "40-42"], "40 then 40+3 [1, 2]", [("40", "1"), ("41", "2")]),
+                              (["--then-read", "100-101,102:i16:0.1V", "45=9"], "45 then 100+3 [9]",
+                               [("100", "5"), ("101", "6"), ("102:i16:0.1V", "0.7 V")]),
+                              (["60:f32=1.5", "--then-read", "60:f32"], f"60 then 60+2 {[*half]}", [("60:f32", "1.5")])):
+        ended, came = module.write(*words)
+        rows = [(row["register"], row["after"]) for row in ended.objects() if row["note"] == "read by the same request"]
+        check(ended.status == 0 and came == [f"{MODULE} 23 {sent}"] and rows[:len(read)] == read, f"{words}", (came, ended))
+    for words, status, says in ((["40=1", "41=2"], 2, "of one word"), (["coil:1=on"], 2, "of one word"), (["40.1=on"], 2, "of one word"),
+                                (["8501=6,7"], 2, ""), (["100-221=" + ",".join(["1"] * 122)], 2, "writes at most 121")):
+        ended, came = module.write(*words, "--then-read", "100")
+        check(ended.status == status and says in ended.errors and not came, f"{words[0][:20]} and a read", (ended, came))
+    for read, says in (("input:3", "holding registers only"), ("100,102", "without a hole"), ("100-225", "at most 125"), ("level", "level")):
+        ended, came = module.write("40=1", "--then-read", read)
+        check(ended.status == 2 and says in ended.errors and not came, f"a read of {read}", (ended, came))
+    ended, came = module.write("40=1", "--then-read", "100", unit=LACKS)
+    check(ended.status == 1 and "no function 23" in ended.output and len(came) == 1, "a unit without it", (ended, came))
+    ended = module.tool.run("--no-listen", "-u", 7, "--write", "write", "ACC=2s", "--then-read", "3202", port="sim:atv320:7")
+    check(ended.status == 2 and "of what is no drive" in ended.errors, "a drive", ended)
+    ended = module.tool.run("--no-listen", "-u", 7, "--write", "--allow-run", "write", "8501=6", "--then-read", "3202", port="sim:atv320:7")
+    check(ended.status == 5 and "commands the motor" in ended.errors, "and its command", ended)
 
 
 def check_failures(module, check):
@@ -321,7 +350,7 @@ def main(check, program, libmodbus_server):
         near, tool.port = others.line()
         others.serve(near, [sys.executable, "-B", __file__, "--serve", "@", str(tool.place / "requests.log")], stderr=subprocess.DEVNULL)
         module = Module(tool)
-        for part in (check_forms, check_refusals, check_names, check_failures):
+        for part in (check_forms, check_refusals, check_names, check_exchange, check_failures):
             part(module, check)
         check_ends(tool, check)
         check_libmodbus(tool, check, others, libmodbus_server)

@@ -103,8 +103,9 @@ struct choices {
     bool finds_setting{false};        ///< tries the usual bit rates and formats
     std::string search{};
     std::string group{};
-    bool is_factory{false};  ///< compares with the factory values
-    bool may_rewrite{false}; ///< a register as it was read, with some bits changed
+    bool is_factory{false};               ///< compares with the factory values
+    bool may_rewrite{false};              ///< a register as it was read, with some bits changed
+    std::vector<std::string> then_read{}; ///< registers that are read by the request that writes
     std::string file{};
     std::optional<std::uint16_t> base{}; ///< where the registers of a file begin that counts from there
     std::string capture_form{"udp"};

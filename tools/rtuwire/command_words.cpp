@@ -224,6 +224,9 @@ void add_writing(CLI::App& app, choices& chosen)
         true);
     write.add_flag("--read-modify-write", chosen.may_rewrite,
                    "bits of a unit without function 22: read their register, and write all of it back");
+    write.add_option("--then-read", chosen.then_read, "registers to read in the same request, by function 23: 100-103")
+        ->type_name("REG")
+        ->allow_extra_args(false);
     add_to_footer(
         write,
         "A place of any device, written by function 05, 06, 16, or 22 for bits; #2301 is a count without its scale.\n"

@@ -26,6 +26,7 @@
 #include "motion/raw_effect.hpp"
 #include "motion/unsafe_write.hpp"
 #include "output/plain_text.hpp"
+#include "words/value_block.hpp"
 #include "words/value_words.hpp"
 
 namespace tool {
@@ -55,6 +56,7 @@ struct shown_value {
     held_text after;
     std::string error{};
     std::string note{};
+    bool is_only_read{false};
 };
 
 using value_list = std::vector<value_to_write>;
@@ -103,6 +105,7 @@ public:
         rules_ = rules_to_write(line, unit_, chosen_.allowed);
         refuse_menu_number();
         std::vector<value_to_write> const values = checked(line);
+        then_read_ = read_behind(values);
         if (std::optional<ended> const why = why_not(values, line)) {
             throw ended{*why};
         }
@@ -190,6 +193,47 @@ private:
         }
     }
 
+    /// What function 23 reads behind its write: of one word, and of what is no drive.
+    value_list read_behind(value_list const& values) const
+    {
+        value_list wanted;
+        if (chosen_.then_read.empty()) {
+            return wanted;
+        }
+        bool const is_one_write = std::ranges::count(values, false, &value_to_write::is_with_previous) == 1 and
+                                  not values[0].where.is_single_bit() and values[0].where.bit < 0;
+        if (rules_.drive != nullptr or not is_one_write) {
+            refuse_word(
+                "--then-read: function 23 writes the registers of one word, 40=5 or 40-41=1,2, of what is no drive");
+        }
+        std::vector<chosen_register> const registers = registers_in(chosen_.then_read, {nullptr, unit_.names});
+        std::string const why = why_no_neighbours(registers, rtuwire::max_exchange_read_quantity);
+        if (not why.empty() or registers[0].where.space != register_space::holding) {
+            refuse_word("--then-read: " + (why.empty() ? "function 23 reads holding registers only" : why));
+        }
+        for (chosen_register const& each : registers) {
+            wanted.push_back({.where = each.where, .named = each.named});
+        }
+        std::vector<std::byte> const bytes = bytes_of(values);
+        std::array<std::byte, rtuwire::max_adu_size> memory{};
+        auto const frame = rtuwire::encode_into(memory, unit_.unit, exchange_of(values, bytes, wanted));
+        if (not frame) {
+            refuse_word("--then-read: function 23 writes at most " +
+                        std::to_string(rtuwire::max_exchange_write_quantity) + " registers");
+        }
+        tool::refuse_frame_within(*frame, functions_within::public_ones);
+        return wanted;
+    }
+
+    static rtuwire::read_write_multiple_registers<> exchange_of(value_list const& values, rtuwire::byte_view bytes,
+                                                                value_list const& wanted)
+    {
+        place const& first = wanted.front().where;
+        place const& last = wanted.back().where;
+        return {first.address, static_cast<std::uint16_t>(last.address + last.size() - first.address),
+                values[0].where.address, rtuwire::register_view{bytes}};
+    }
+
     /// Of a unit that was said to be no drive, a number is an address; where it is or may be one, it may mean another register.
     void refuse_menu_number() const
     {
@@ -265,7 +309,8 @@ private:
         // Of bits, that the others stay is looked at: those of a value before it are written by now.
         std::vector<held_before> const before = values[0].where.bit >= 0 ? read(line, values) : request.before;
         std::string how;
-        errc const outcome = send(line, values, how);
+        std::vector<std::uint16_t> words;
+        errc const outcome = then_read_.empty() ? send(line, values, how) : exchange(line, values, words);
         std::string const failure = line.words_of_failure(outcome) +
                                     hint_at_list({values[0].where, values[0].entry}, outcome) +
                                     remedy_of(values, outcome);
@@ -279,8 +324,33 @@ private:
             append(rows.back().note, request.before[i].note);
             status = status == exit_status::done ? one : status;
         }
+        for (value_to_write const& each : then_read_) {
+            auto const first = words.begin() + (words.empty() ? 0 : each.where.address - then_read_[0].where.address);
+            std::vector<std::uint16_t> const own{first, first + (words.empty() ? 0 : each.where.size())};
+            rows.push_back({&each,
+                            {},
+                            own.empty() ? held_text{} : each.text_of_words(own),
+                            own.empty() ? failure : "",
+                            "read by the same request",
+                            true});
+        }
         show(rows);
         return missed.empty() or status != exit_status::done ? status : exit_status::port;
+    }
+
+    /// By function 23; what it read.
+    errc exchange(open_line& line, value_list const& values, std::vector<std::uint16_t>& words) const
+    {
+        std::vector<std::byte> const bytes = bytes_of(values);
+        auto const request = exchange_of(values, bytes, then_read_);
+        rtuwire::unit_id const unit{unit_.unit};
+        auto once = line.with(request_once<rtuwire::read_write_multiple_registers<>>{unit, request});
+        auto again = line.with(rtuwire::single_request{unit, request});
+        auto const outcome = chosen_.line.retries > 0 ? line.run(again) : line.run(once);
+        for (std::size_t i = 0; outcome and i < request.read_count; ++i) {
+            words.push_back(rtuwire::register_view{outcome->pdu().subspan(2)}[i]);
+        }
+        return outcome.error();
     }
 
     /// What the unit holds; by as many requests as it takes, each value by one. A unit that is silent meanwhile is not asked on.
@@ -384,6 +454,9 @@ private:
             return {};
         }
         value_to_write const& value = values[0];
+        if (not then_read_.empty()) {
+            return "; the unit has no function 23: it is written by 16, and read by 03, without --then-read";
+        }
         if (value.where.bit >= 0 and not chosen_.may_rewrite) {
             return "; the unit has no function 22, which changes bits alone: --read-modify-write behind write reads "
                    "the "
@@ -513,7 +586,7 @@ private:
         bool const is_table = chosen_.form == output_form::table;
         record row{{"unit", std::int64_t{unit_.unit.byte()}},
                    {"register", label_of({it.value->where, it.value->entry})},
-                   {"before", cell_of(it.before, is_table)},
+                   {"before", cell_of(it.before, is_table and not it.is_only_read)},
                    {"after", cell_of(it.after, is_table and it.error != not_tried)},
                    {"note", note_of(it)}};
         if (chosen_.form == output_form::csv or (chosen_.form == output_form::json and not it.error.empty())) {
@@ -557,6 +630,7 @@ private:
     choices const& chosen_;
     named_unit unit_;
     std::vector<value_to_write> given_;
+    value_list then_read_{};
     write_rules rules_{};
     output results_;
 };

@@ -8,10 +8,7 @@
 
 namespace tool {
 
-namespace {
-
-/// Why one request does not write them; empty where it does.
-std::string why_no_block(std::vector<chosen_register> const& registers, vocabulary const& meant)
+std::string why_no_neighbours(std::vector<chosen_register> const& registers, unsigned most)
 {
     place const& first = registers.front().where;
     unsigned count = 0;
@@ -25,16 +22,11 @@ std::string why_no_block(std::vector<chosen_register> const& registers, vocabula
         }
         count += each.where.size();
     }
-    unsigned const most = first.is_single_bit()    ? rtuwire::max_bit_write_quantity
-                          : meant.names == nullptr ? rtuwire::max_write_quantity
-                                                   : meant.names->max_registers.value_or(rtuwire::max_write_quantity);
     return count <= most
                ? std::string{}
-               : "a request writes at most " + std::to_string(most) +
-                     (first.is_single_bit() ? " coils" : " registers") + ", and these are " + std::to_string(count);
+               : "one request has at most " + std::to_string(most) + (first.is_single_bit() ? " coils" : " registers") +
+                     ", and these are " + std::to_string(count);
 }
-
-} // namespace
 
 value_block values_in(std::string_view word, vocabulary const& meant)
 {
@@ -58,7 +50,13 @@ value_block values_in(std::string_view word, vocabulary const& meant)
         return refuse("the registers of an " + std::string{meant.drive->name} +
                       " are written one at a time, each checked by what is known of it: say a word for each");
     }
-    if (std::string const why = why_no_block(block.registers, meant); not why.empty()) {
+    unsigned const registers = meant.names == nullptr
+                                   ? rtuwire::max_write_quantity
+                                   : meant.names->max_registers.value_or(rtuwire::max_write_quantity);
+    bool const is_of_bits = block.registers[0].where.is_single_bit();
+    std::string const why =
+        why_no_neighbours(block.registers, is_of_bits ? rtuwire::max_bit_write_quantity : registers);
+    if (not why.empty()) {
         return refuse(why);
     }
     std::vector<std::string_view> const values = parts_of(word.substr(equals + 1));

@@ -20,6 +20,9 @@ struct value_block {
     std::optional<refusal> refused{};
 };
 
+/// Why one request does not have registers as they stand, at most so many; empty where it has.
+[[nodiscard]] std::string why_no_neighbours(std::vector<chosen_register> const& registers, unsigned most);
+
 /// The values of a word "REG=VALUE". Of a drive several are refused: each is limited by what the one before it left.
 [[nodiscard]] value_block values_in(std::string_view word, vocabulary const& meant);
 
