@@ -74,13 +74,9 @@ public:
     rtuwire::result<typename Request::response> ask(unit_address const& to, Request const& request)
     {
         auto const began = std::chrono::steady_clock::now();
-        auto const outcome = ask_at(to, request);
+        auto outcome = ask_at(to, request);
         note(outcome.error(), std::chrono::steady_clock::now() - began);
-        if (not outcome) {
-            return outcome.error();
-        }
-        response_.assign(outcome->pdu().begin(), outcome->pdu().end());
-        return rtuwire::response{response_}.template to<Request>();
+        return outcome;
     }
 
     /// What comes in so long a time, or earlier, is nobody's answer. Ends where the port fails.
@@ -98,16 +94,25 @@ public:
 
 private:
     template <typename Request>
-    rtuwire::result<rtuwire::response> ask_at(unit_address const& to, Request const& request)
+    rtuwire::result<typename Request::response> ask_at(unit_address const& to, Request const& request)
     {
         if constexpr (not requires { requires Request::may_be_broadcast; }) {
             if (to.is_zero()) {
-                auto asking = with(rtuwire::single_request{rtuwire::only_unit, request});
-                return client_.run(asking);
+                return answer_to<Request>(with(rtuwire::single_request{rtuwire::only_unit, request}));
             }
         }
-        auto asking = with(rtuwire::single_request{rtuwire::unit_id{to}, request});
-        return client_.run(asking);
+        return answer_to<Request>(with(rtuwire::single_request{rtuwire::unit_id{to}, request}));
+    }
+    /// Kept here: the response is a view of what the question has.
+    template <typename Request, typename Question>
+    rtuwire::result<typename Request::response> answer_to(Question question)
+    {
+        auto const outcome = client_.run(question);
+        if (not outcome) {
+            return outcome.error();
+        }
+        response_.assign(outcome->pdu().begin(), outcome->pdu().end());
+        return rtuwire::response{response_}.template to<Request>();
     }
     void note(rtuwire::errc outcome, std::chrono::duration<double, std::milli> took);
 
