@@ -87,7 +87,7 @@ void owed_answers::note(rtuwire::traced_frame const& frame)
 void owed_answers::note_response(rtuwire::traced_frame const& frame, clock::time_point now)
 {
     using rtuwire::frame_verdict;
-    byte_view const bytes = frame.verdict == frame_verdict::damaged ? byte_view{} : whole(frame.bytes);
+    byte_view const bytes = whole(frame.bytes);
     if (bytes.empty()) {
         return note_heard(now);
     }
@@ -100,7 +100,11 @@ void owed_answers::note_response(rtuwire::traced_frame const& frame, clock::time
     of.heard = now;
     of.answered.insert(function_of(bytes));
     of.unanswered.erase(function_of(bytes));
-    auto first = std::ranges::find_if(of.owed, [&](sending const& each) { return is_answer(each.frame, bytes); });
+    // Of a size that its own bytes contradict it answers the first request of its function, as far as anybody can tell.
+    bool const has_form = frame.verdict != frame_verdict::damaged;
+    auto first = std::ranges::find_if(of.owed, [&](sending const& each) {
+        return has_form ? is_answer(each.frame, bytes) : function_of(each.frame) == function_of(bytes);
+    });
     bool const is_awaited = frame.verdict == frame_verdict::good;
     if (first == of.owed.end() and is_awaited and not of.owed.empty()) {
         first = of.owed.end() - 1;
@@ -112,7 +116,7 @@ void owed_answers::note_response(rtuwire::traced_frame const& frame, clock::time
         answered_ = first->frame;
         frame_bytes& longest = of.longest[bytes[1]]; // of an exception there is none
         longest = registers_in(answered_) > registers_in(longest) ? answered_ : longest;
-    } else {
+    } else if (has_form) {
         of.latest = now - first->at;
         was_late_ = true;
     }
