@@ -89,6 +89,21 @@ struct restore_choices {
     bool save{false};
 };
 
+/// What the one who checks allows and knows.
+struct check_choices {
+    std::string scratch{};       ///< "100-107": registers that may be changed
+    std::string scratch_coils{}; ///< "0-15"
+    bool is_alone{false};        ///< no other unit is on the line
+    bool may_disrupt{false};     ///< counters are lost, the unit is silenced, what is not there is written
+    std::optional<std::uint16_t> readable{};
+    std::string only{}; ///< "L01,F03,I"
+    unsigned hostile{0};         ///< seconds of random frames; 0: none
+    std::uint32_t seed{1};       ///< of them
+    bool lists{false};
+    std::string explained{}; ///< a clause
+    std::string junit{};     ///< a file
+};
+
 struct choices {
     std::string command{};
     output_form form{output_form::table};
@@ -98,6 +113,7 @@ struct choices {
     monitor_choices monitor{};
     motion_choices motion{};
     restore_choices restore{};
+    check_choices check{};
 
     std::vector<std::string> words{}; ///< registers, bytes, drives
     bool finds_setting{false};        ///< tries the usual bit rates and formats

@@ -335,6 +335,32 @@ void add_device(CLI::App& app, choices& chosen)
     add_to_footer(device, register_file_text());
 }
 
+void add_check(CLI::App& app, choices& chosen)
+{
+    CLI::App& check =
+        add_command(app, chosen, "check", "does a server keep to the protocol? Anybody's device, clause by clause");
+    check.add_option("--only", chosen.check.only, "clauses, functions or groups: L07, F03, I");
+    check.add_flag("--list", chosen.check.lists, "the clauses, and what fails without them");
+    check.add_option("--explain", chosen.check.explained, "what a clause sends, and what may come");
+    check.add_option("--readable", chosen.check.readable,
+                     "a holding register that can be read, where none of the usual is there");
+    check.add_option("--scratch", chosen.check.scratch,
+                     "8 to 100 registers that may be changed, such as 100-107; they are put back (--write)");
+    check.add_option("--scratch-coils", chosen.check.scratch_coils,
+                     "16 coils that may be changed, such as 0-15 (--write)");
+    check.add_flag("--alone", chosen.check.is_alone,
+                   "no other unit is on the line: writes may go to addresses that nobody has");
+    check.add_flag("--disruptive", chosen.check.may_disrupt,
+                   "clear its counters, silence and restart it, write where nothing should be (--write)");
+    check.add_option("--hostile", chosen.check.hostile, "seconds of random frames and noise, none of which writes")
+        ->check(CLI::Range(1, 86'400));
+    check.add_option("--seed", chosen.check.seed, "the same number sends the same random frames")
+        ->capture_default_str();
+    check.add_option("--junit", chosen.check.junit, "a file with the verdicts, for programs that collect test results");
+    add_to_footer(
+        check, "Exit status: 0 all musts hold, 1 not. It only reads, and sends frames that are damaged or for nobody.");
+}
+
 /// What the program says of itself.
 void add_own_texts(CLI::App& app, choices& chosen)
 {
@@ -357,6 +383,7 @@ void add_words(CLI::App& app, choices& chosen)
     add_settings(app, chosen);
     add_line_tools(app, chosen);
     add_device(app, chosen);
+    add_check(app, chosen);
     add_own_texts(app, chosen);
 }
 

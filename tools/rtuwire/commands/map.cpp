@@ -13,6 +13,7 @@
 
 #include "commands/commands.hpp"
 #include "line/end_wish.hpp"
+#include "line/fed_drive.hpp"
 #include "line/left_alone.hpp"
 #include "line/line_words.hpp"
 #include "line/map_log.hpp"
@@ -168,25 +169,9 @@ private:
         if (line.port().is_simulated() or not is_asked_who()) {
             return nullptr;
         }
-        identity_words const who = unit_.drive.empty() or unit_.names != nullptr
-                                       ? who_is_it(line, unit_.unit)
-                                       : identity_words{.drive = unit_.drive, .may_be_drive = true};
-        if (who.drive.empty() and not who.may_be_drive and not may_be_unnamed_drive(line, unit_.unit, who)) {
-            return nullptr;
-        }
-        std::string const what =
-            "unit " + std::to_string(unit_.unit.byte()) +
-            (who.drive.empty() ? " may be a drive" : " is an " + who.drive) +
-            ": a map begins its supervision of the line, so that it shows the fault SLF at its next start "
-            "once nobody asks it, and holds that off meanwhile: a motor whose controller has gone runs on";
-        if (is_asked(chosen_.allowed)) {
-            if (not may_go_on(chosen_.allowed, what, "map it?")) {
-                throw ended{exit_status::refused, "nothing was mapped"};
-            }
-        } else if (not chosen_.allowed.is_confirmed) {
-            refuse_for_safety(what + "; to map it, say --yes");
-        }
-        return who.drive.empty() ? nullptr : &catalog_chosen(who.drive);
+        fed_unit const who = who_is_fed(line, unit_);
+        ask_before_it_is_fed(who, unit_, chosen_.allowed, "a map", "map it?");
+        return who.drive;
     }
 
     map_head head_of(open_line& line) const

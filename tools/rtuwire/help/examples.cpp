@@ -31,6 +31,7 @@ constexpr std::pair<std::string_view, std::string_view> examples[] = {
     {"capture", "rtuwire -p /dev/ttyUSB0 capture -o line.pcapng --for 5min"},
     {"replay", "rtuwire replay line.pcapng"},
     {"timing", "rtuwire timing line.pcapng"},
+    {"check", "rtuwire -p /dev/ttyUSB0 -u 61 check --junit check.xml"},
     {"decode", "rtuwire decode 07 03 0C 82 00 01 27 14"},
     {"simulate", "rtuwire simulate atv320:7 atv12:3"},
     {"ports", "rtuwire ports"},

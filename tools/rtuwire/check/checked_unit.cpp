@@ -1,0 +1,547 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "check/checked_unit.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "exit_status.hpp"
+#include "frame/hex_text.hpp"
+#include "words/words.hpp"
+
+namespace tool {
+
+namespace {
+
+constexpr line_time known_silence{60'000};
+constexpr unsigned tries = 6;
+constexpr std::uint16_t first_scratch_word = 0x5A00;
+
+std::byte low(unsigned value) { return static_cast<std::byte>(value & 0xFFU); }
+std::byte high(unsigned value) { return static_cast<std::byte>(value >> 8U & 0xFFU); }
+
+byte_list framed(byte_list frame)
+{
+    byte_list const crc = crc_of(frame);
+    frame.insert(frame.end(), crc.begin(), crc.end());
+    return frame;
+}
+
+/// A normal answer to a frame with that function.
+bool is_normal(byte_list const& came, byte_list const& asked)
+{
+    return has_right_crc(came) and came[0] == asked[0] and came[1] == asked[1];
+}
+
+/// With or without its high bit: one clause judges that.
+bool is_exception(byte_list const& came, unsigned code)
+{
+    return has_right_crc(came) and came.size() == 5 and came[2] == low(code);
+}
+
+} // namespace
+
+bool is_refusal(byte_list const& came, byte_list const& asked)
+{
+    bool const has_high_bit = came.size() > 1 and came[1] == (asked[1] | std::byte{0x80});
+    // Without it, it has the form of no normal answer: function, code.
+    bool const lacks_it = came.size() == 5 and came[1] == asked[1] and stated_size(came, asked) != 5U;
+    return has_high_bit or (lacks_it and has_right_crc(came));
+}
+
+namespace {
+
+/// "100-107", "100..107", "100": the first, and how many. Refuses others.
+std::pair<std::uint16_t, unsigned> range_in(std::string const& word, std::string const& option)
+{
+    std::size_t const dots = word.find(".."), dash = word.find('-');
+    std::size_t const at = std::min({dots, dash, word.size()});
+    std::size_t const behind = at == word.size() ? at : at + (at == dots ? 2 : 1);
+    auto const first = word_number(std::string_view{word}.substr(0, at));
+    auto const last = at == word.size() ? first : word_number(std::string_view{word}.substr(behind));
+    if (not first or not last or *last < *first) {
+        refuse_word(option + ": '" + word + "' is no range of addresses such as 100-107");
+    }
+    return {*first, *last - *first + 1U};
+}
+
+} // namespace
+
+line_answer checked_unit::ask(std::vector<sent_piece> const& pieces, std::string_view clause)
+{
+    line_answer answer = line_.ask(pieces);
+    byte_list const asked = bytes_of(pieces);
+    longest_answer_ = std::max(longest_answer_, answer.took);
+    bool const is_plain = pieces.size() == 1 and has_right_crc(asked) and asked[0] == std::byte{where_.unit} and
+                          asked[1] > std::byte{0} and asked[1] < std::byte{0x80};
+    if (is_plain) {
+        exchanges_.push_back({asked, answer, clause});
+    }
+    return answer;
+}
+
+void checked_unit::forget(std::string_view clause)
+{
+    std::erase_if(exchanges_, [clause](kept_exchange_of_check const& each) { return each.clause == clause; });
+}
+
+bool checked_unit::reads(std::string_view words, std::size_t data)
+{
+    byte_list const asked = bytes_of(pieces_of(words, where_));
+    byte_list const came = line_.ask(asked).bytes;
+    return is_normal(came, asked) and came.size() == 5 + data;
+}
+
+bool checked_unit::is_there(unsigned function, std::uint16_t address)
+{
+    byte_list const asked =
+        framed({std::byte{where_.unit}, low(function), high(address), low(address), std::byte{0}, std::byte{1}});
+    byte_list const came = line_.ask(asked).bytes;
+    return is_normal(came, asked) and came.size() == (function < 3 ? 6U : 7U);
+}
+
+/// A place that most devices have one of; nothing where none of them answers.
+std::optional<std::uint16_t> checked_unit::first_readable(unsigned function)
+{
+    constexpr std::uint16_t usual[]{0, 1, 100, 1'000, 3'201, 4'000, 40'000, 40'001, 50'000, 0x1000, 0x2000, 0x6000};
+    for (std::uint16_t const each : usual) {
+        byte_list const asked =
+            framed({std::byte{where_.unit}, low(function), high(each), low(each), std::byte{0}, std::byte{1}});
+        byte_list const came = ask({sent_piece{.bytes = asked}}, "discovery").bytes;
+        if (is_normal(came, asked)) {
+            functions_.insert(function);
+            return each;
+        }
+        if (came.empty() or is_exception(came, 1)) {
+            return std::nullopt; // it has no such function
+        }
+        functions_.insert(function);
+    }
+    return std::nullopt;
+}
+
+/// The first address behind one that is there, that is not: by halves, behind a jump that finds one.
+std::optional<std::uint16_t> checked_unit::first_missing(unsigned function, std::uint16_t there)
+{
+    unsigned has = there, lacks = 0x1'0000;
+    for (unsigned step = 1; has + step < 0x1'0000; step *= 2) {
+        if (is_there(function, static_cast<std::uint16_t>(has + step))) {
+            has += step;
+        } else {
+            lacks = has + step;
+            break;
+        }
+    }
+    if (lacks == 0x1'0000) {
+        return std::nullopt;
+    }
+    while (lacks - has > 1) {
+        unsigned const middle = has + (lacks - has) / 2;
+        (is_there(function, static_cast<std::uint16_t>(middle)) ? has : lacks) = middle;
+    }
+    return static_cast<std::uint16_t>(lacks);
+}
+
+void checked_unit::find_crc_place()
+{
+    for (unsigned address = 0; address < 0x1'0000; ++address) {
+        byte_list const crc = crc_of(byte_list{std::byte{where_.unit}, std::byte{3}, high(address), low(address)});
+        unsigned const quantity = std::to_integer<unsigned>(crc[0]) << 8U | std::to_integer<unsigned>(crc[1]);
+        if (quantity > 0 and quantity <= 125 and (not where_.crc_address or quantity < where_.crc_quantity)) {
+            where_.crc_address = static_cast<std::uint16_t>(address);
+            where_.crc_quantity = static_cast<std::uint16_t>(quantity);
+        }
+    }
+}
+
+void checked_unit::find_functions()
+{
+    struct harmless {
+        unsigned function;
+        std::string_view words;
+    };
+    // Writing functions are asked where there is a place for them.
+    constexpr harmless reading[]{
+        {0x08, "U 08 00 00 A5 5A CRC"}, {0x18, "U 18 R CRC"},     {0x2B, "U 2B 0E 01 00 CRC"}, {0x63, "U 63 CRC"},
+        {0x19, "U 19 00 00 CRC"},       {0x40, "U 40 00 00 CRC"}, {0x7C, "U 7C 00 00 CRC"}};
+    for (auto const& [function, words] : reading) {
+        if (function == 0x18 and not where_.holding) {
+            continue;
+        }
+        byte_list const came = line_.ask(pieces_of(words, where_)).bytes;
+        // Of a code without a meaning only a normal answer says that it is there.
+        bool const is_public = function == 0x08 or function == 0x18 or function == 0x2B;
+        bool const is_there =
+            is_public ? not came.empty() and not is_exception(came, 1)
+                      : came.size() > 3 and has_right_crc(came) and came[1] == static_cast<std::byte>(function);
+        if (is_there) {
+            functions_.insert(function);
+        }
+        names_singly_ =
+            function == 0x2B ? came.size() > 5 and has_right_crc(came) and came[4] >= std::byte{0x81} : names_singly_;
+    }
+    // Clearing, silencing and waking only where that is allowed: what is silenced is woken at once.
+    constexpr unsigned counting[]{0x0B, 0x0C, 0x0D, 0x0E, 0x0F}, disturbing[]{0x0A, 0x01};
+    std::vector<unsigned> subfunctions{std::begin(counting), std::end(counting)};
+    if (how_.may_disrupt) {
+        subfunctions.insert(subfunctions.end(), std::begin(disturbing), std::end(disturbing));
+    }
+    for (unsigned const sub : has_function(0x08) ? subfunctions : std::vector<unsigned>{}) {
+        byte_list const asked =
+            framed({std::byte{where_.unit}, std::byte{8}, std::byte{0}, low(sub), std::byte{0}, std::byte{0}});
+        if (is_normal(line_.ask(asked).bytes, asked)) {
+            subfunctions_.insert(sub);
+        }
+    }
+    if (subfunctions_.contains(0x01)) {
+        bool const is_silent = line_.ask(pieces_of("U 08 00 04 00 00 CRC", where_)).bytes.empty();
+        static_cast<void>(line_.ask(pieces_of("U 08 00 01 00 00 CRC", where_)));
+        if (is_silent) {
+            subfunctions_.insert(0x04);
+        }
+    }
+}
+
+/// An address at which nobody answers a read.
+void checked_unit::find_other()
+{
+    constexpr std::uint8_t candidates[]{247, 246, 199, 133};
+    for (std::uint8_t const each : candidates) {
+        where_.other = each;
+        if (each != where_.unit and line_.ask(pieces_of("V 03 R 00 01 CRC", where_)).bytes.empty()) {
+            return;
+        }
+    }
+    where_.other = where_.unit == 247 ? 246 : 247; // it answers for all: a clause says so
+}
+
+void checked_unit::find_scratch()
+{
+    if (not how_.scratch.empty()) {
+        auto const [first, count] = range_in(how_.scratch, "--scratch");
+        if (count < 8 or count > 100) {
+            refuse_word("--scratch " + how_.scratch + ": " + std::to_string(count) +
+                        (count == 1 ? " register" : " registers") + "; the clauses need 8 to 100");
+        }
+        where_.scratch = first;
+        where_.scratch_count = count;
+        byte_list const asked =
+            framed({std::byte{where_.unit}, std::byte{3}, high(first), low(first), std::byte{0}, low(count)});
+        byte_list const came = line_.ask(asked).bytes;
+        if (not is_normal(came, asked) or came.size() != 5 + 2 * count) {
+            throw ended{exit_status::differs, "--scratch " + how_.scratch + ": unit " + std::to_string(where_.unit) +
+                                                  " does not read them by function 03 (" +
+                                                  (came.empty() ? "no response" : hex_of(came)) +
+                                                  "); nothing was written"};
+        }
+        for (std::size_t i = 3; i + 2 < came.size(); i += 2) {
+            words_before_.push_back(static_cast<std::uint16_t>(std::to_integer<unsigned>(came[i]) << 8U |
+                                                               std::to_integer<unsigned>(came[i + 1])));
+        }
+        // Each writing function writes what stands there.
+        byte_list sixteen{std::byte{where_.unit}, std::byte{0x10}, high(first),   low(first),
+                          std::byte{0},           low(count),      low(2 * count)};
+        sixteen.insert(sixteen.end(), came.begin() + 3, came.end() - 2);
+        byte_list const writes[]{
+            framed(sixteen), framed({std::byte{where_.unit}, std::byte{6}, high(first), low(first), came[3], came[4]}),
+            framed({std::byte{where_.unit}, std::byte{0x16}, high(first), low(first), std::byte{0xFF}, std::byte{0xFF},
+                    std::byte{0}, std::byte{0}}),
+            framed({std::byte{where_.unit}, std::byte{0x17}, high(first), low(first), std::byte{0}, std::byte{1},
+                    high(first), low(first), std::byte{0}, std::byte{1}, std::byte{2}, came[3], came[4]})};
+        for (byte_list const& each : writes) {
+            byte_list const answer = line_.ask(each).bytes;
+            if (not answer.empty() and not is_exception(answer, 1)) {
+                functions_.insert(std::to_integer<unsigned>(each[1]));
+            }
+        }
+        auto const behind = static_cast<std::uint16_t>(first + count);
+        is_end_known_ = first + count <= 0xFFFFU and not is_there(3, behind);
+    }
+    if (not how_.scratch_coils.empty()) {
+        auto const [first, count] = range_in(how_.scratch_coils, "--scratch-coils");
+        if (count != 16) {
+            refuse_word("--scratch-coils " + how_.scratch_coils + ": the clauses need 16 of them");
+        }
+        where_.scratch_coil = first;
+        byte_list const asked =
+            framed({std::byte{where_.unit}, std::byte{1}, high(first), low(first), std::byte{0}, std::byte{16}});
+        byte_list const came = line_.ask(asked).bytes;
+        if (not is_normal(came, asked) or came.size() != 7) {
+            throw ended{exit_status::differs, "--scratch-coils " + how_.scratch_coils + ": unit " +
+                                                  std::to_string(where_.unit) + " does not read them by function 01 (" +
+                                                  (came.empty() ? "no response" : hex_of(came)) +
+                                                  "); nothing was written"};
+        }
+        coils_before_ =
+            static_cast<std::uint16_t>(std::to_integer<unsigned>(came[4]) << 8U | std::to_integer<unsigned>(came[3]));
+        byte_list const writes[]{
+            framed({std::byte{where_.unit}, std::byte{0x0F}, high(first), low(first), std::byte{0}, std::byte{16},
+                    std::byte{2}, came[3], came[4]}),
+            framed({std::byte{where_.unit}, std::byte{5}, high(first), low(first),
+                    (came[3] & std::byte{1}) == std::byte{1} ? std::byte{0xFF} : std::byte{0}, std::byte{0}})};
+        for (byte_list const& each : writes) {
+            byte_list const answer = line_.ask(each).bytes;
+            if (not answer.empty() and not is_exception(answer, 1)) {
+                functions_.insert(std::to_integer<unsigned>(each[1]));
+            }
+        }
+    }
+}
+
+bool checked_unit::discover()
+{
+    line_.wait_for_quiet(known_silence);
+    if (how_.readable) {
+        where_.holding = is_there(3, *how_.readable) ? how_.readable : std::nullopt;
+        if (where_.holding) {
+            functions_.insert(3);
+        }
+    } else {
+        where_.holding = first_readable(3);
+    }
+    where_.input = first_readable(4);
+    where_.coil = first_readable(1);
+    where_.discrete = first_readable(2);
+    if (not where_.holding and where_.input) {
+        where_.read_function = std::byte{4};
+    }
+    for (unsigned const count : {2U, 8U, 16U, 125U}) {
+        where_.readable = where_.holding and reads("U 03 R 00 B(" + std::to_string(count) + ") CRC", 2 * count)
+                              ? count
+                              : where_.readable;
+    }
+    if (functions_.empty()) {
+        return false;
+    }
+    find_other();
+    find_functions();
+    find_crc_place();
+    if (where_.holding) {
+        where_.behind_holding = first_missing(3, *where_.holding);
+    }
+    if (where_.coil) {
+        where_.behind_coil = first_missing(1, *where_.coil);
+    }
+    find_scratch();
+    return true;
+}
+
+std::string checked_unit::why_missing(std::string_view need) const
+{
+    auto const known = [](bool is_there, std::string_view what) {
+        return is_there ? std::string{} : std::string{what};
+    };
+    byte_list const read = where_.holding or where_.input ? plain_read(where_) : byte_list(8);
+    if (need == "R") {
+        return known(where_.holding.has_value(),
+                     "no holding register was found that can be read; --readable names one");
+    }
+    if (need == "scratch") {
+        return known(where_.scratch.has_value() or where_.scratch_coil.has_value(),
+                     "it writes: --scratch names registers that may be changed");
+    }
+    if (need == "alone") {
+        return known(how_.is_alone, "it writes to another address: --alone says that nobody else is on the line");
+    }
+    if (need == "disruptive") {
+        return known(how_.may_disrupt, "it may disturb the unit: --disruptive allows it");
+    }
+    if (need == "hostile") {
+        return known(how_.hostile > 0, "it sends what no client would: --hostile allows it");
+    }
+    if (need == "wire") {
+        return known(line_.has_wire(), "this port has no wire whose silences are known");
+    }
+    if (need == "two") {
+        return known(where_.readable >= 2, "no two registers can be read together");
+    }
+    if (need == "no63") {
+        return known(not has_function(0x63), "function 99 is there");
+    }
+    if (need == "no19") {
+        return known(not has_function(0x19) and not has_function(0x40) and not has_function(0x7C),
+                     "one of them is there");
+    }
+    if (need == "exception") {
+        bool const came =
+            std::ranges::any_of(exchanges_, [](auto const& each) { return is_refusal(each.answer.bytes, each.asked); });
+        return known(came, "no exception came");
+    }
+    if (need == "single") {
+        return known(names_singly_, "the unit does not name single objects by function 43/14");
+    }
+    if (need == "end") {
+        return known(is_end_known_, "a register stands behind the scratch registers");
+    }
+    if (need == "crc-differs") {
+        return known(read[6] != read[7], "both bytes of the CRC are the same");
+    }
+    if (need == "crc-no-constant") {
+        return known(not(read[6] == read[7] and (read[6] == std::byte{0} or read[6] == std::byte{0xFF})),
+                     "the right CRC is a constant");
+    }
+    if (need == "RI" or need == "RC" or need == "RD" or need == "XA" or need == "XC") {
+        auto const& place = need == "RI"   ? where_.input
+                            : need == "RC" ? where_.coil
+                            : need == "RD" ? where_.discrete
+                            : need == "XA" ? where_.behind_holding
+                                           : where_.behind_coil;
+        return known(place.has_value(), need == "XA" or need == "XC" ? "no address was found that is not there"
+                                                                     : "none was found that can be read");
+    }
+    unsigned const number = static_cast<unsigned>(std::stoul(std::string{need.substr(1)}, nullptr, 16));
+    if (need.front() == 's') {
+        return known(subfunctions_.contains(number), "the unit does not have that sub-function");
+    }
+    if (has_function(number)) {
+        return {};
+    }
+    constexpr unsigned words[]{0x06, 0x10, 0x16, 0x17}, coils[]{0x05, 0x0F};
+    bool const is_unknown = (std::ranges::count(words, number) > 0 and not where_.scratch) or
+                            (std::ranges::count(coils, number) > 0 and not where_.scratch_coil);
+    return is_unknown ? "whether the unit has function " + std::to_string(number) +
+                            " is looked for in what --scratch or --scratch-coils names"
+                      : "the unit does not have function " + std::to_string(number);
+}
+
+std::string checked_unit::why_not_asked(clause const& which) const
+{
+    std::string_view rest = which.needs;
+    while (not rest.empty()) {
+        std::size_t const end = std::min(rest.find(' '), rest.size());
+        if (std::string why = why_missing(rest.substr(0, end)); not why.empty()) {
+            return why;
+        }
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return which.state == clause_state::words and not where_.scratch
+               ? "it writes: --scratch names registers that may be changed"
+           : which.state == clause_state::coils and not where_.scratch_coil
+               ? "it writes: --scratch-coils names 16 coils that may be changed"
+               : std::string{};
+}
+
+bool checked_unit::is_not_applicable(clause const& which) const
+{
+    std::string const why = why_not_asked(which);
+    return not why.empty() and why.find("--") == why.npos and why.find("wire") == why.npos;
+}
+
+bool checked_unit::write_words(std::vector<std::uint16_t> const& values)
+{
+    std::uint16_t const first = *where_.scratch;
+    bool is_written = true;
+    if (has_function(0x10)) {
+        byte_list frame{std::byte{where_.unit},
+                        std::byte{0x10},
+                        high(first),
+                        low(first),
+                        std::byte{0},
+                        low(static_cast<unsigned>(values.size())),
+                        low(static_cast<unsigned>(2 * values.size()))};
+        for (std::uint16_t const each : values) {
+            frame.push_back(high(each));
+            frame.push_back(low(each));
+        }
+        byte_list const asked = framed(frame);
+        is_written = is_normal(line_.ask(asked).bytes, asked);
+    } else {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            unsigned const at = first + static_cast<unsigned>(i);
+            byte_list const asked =
+                framed({std::byte{where_.unit}, std::byte{6}, high(at), low(at), high(values[i]), low(values[i])});
+            is_written = is_normal(line_.ask(asked).bytes, asked) and is_written;
+        }
+    }
+    byte_list const asked = framed({std::byte{where_.unit}, std::byte{3}, high(first), low(first), std::byte{0},
+                                    low(static_cast<unsigned>(values.size()))});
+    byte_list due{asked[0], asked[1], low(static_cast<unsigned>(2 * values.size()))};
+    for (std::uint16_t const each : values) {
+        due.push_back(high(each));
+        due.push_back(low(each));
+    }
+    return line_.ask(asked).bytes == framed(due) and is_written;
+}
+
+bool checked_unit::write_coils(std::uint16_t bits)
+{
+    std::uint16_t const first = *where_.scratch_coil;
+    if (has_function(0x0F)) {
+        byte_list const asked = framed({std::byte{where_.unit}, std::byte{0x0F}, high(first), low(first), std::byte{0},
+                                        std::byte{16}, std::byte{2}, low(bits), high(bits)});
+        static_cast<void>(line_.ask(asked));
+    } else {
+        for (unsigned i = 0; i < 16; ++i) {
+            unsigned const at = first + i;
+            static_cast<void>(
+                line_.ask(framed({std::byte{where_.unit}, std::byte{5}, high(at), low(at),
+                                  (bits >> i & 1U) != 0 ? std::byte{0xFF} : std::byte{0}, std::byte{0}})));
+        }
+    }
+    byte_list const asked =
+        framed({std::byte{where_.unit}, std::byte{1}, high(first), low(first), std::byte{0}, std::byte{16}});
+    return line_.ask(asked).bytes == framed({asked[0], asked[1], std::byte{2}, low(bits), high(bits)});
+}
+
+bool checked_unit::establish(clause_state state)
+{
+    if (state == clause_state::last) {
+        return true;
+    }
+    line_.wait_for_quiet(state == clause_state::quiet ? line_time{1'000'000}
+                                                      : std::max(known_silence, line_.silence()));
+    if (state == clause_state::quiet) {
+        return true;
+    }
+    byte_list const read = plain_read(where_);
+    bool is_known = false;
+    for (unsigned i = 0; i < tries and not is_known; ++i) {
+        byte_list const came = line_.ask(read).bytes;
+        is_known = is_allowed("OK1", came, read, {}, where_);
+        if (not is_known) {
+            line_.wait_for_quiet(line_.longest_wait());
+        }
+    }
+    if (not is_known) {
+        return false;
+    }
+    if (state == clause_state::words) {
+        std::vector<std::uint16_t> values(where_.scratch ? where_.scratch_count : 0);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = static_cast<std::uint16_t>(first_scratch_word + i);
+        }
+        return where_.scratch and write_words(values);
+    }
+    return state != clause_state::coils or (where_.scratch_coil and write_coils(0));
+}
+
+std::string checked_unit::put_back()
+{
+    std::string what;
+    line_.wait_for_quiet(known_silence);
+    // After a clause that a signal cut, the unit may need a moment.
+    auto const held = [&](auto const& write) {
+        for (unsigned i = 0; i < 3; ++i) {
+            if (write()) {
+                return true;
+            }
+            line_.wait_for_quiet(line_.longest_wait());
+        }
+        return false;
+    };
+    if (where_.scratch and not words_before_.empty() and (has_function(0x10) or has_function(6)) and
+        not held([&] { return write_words(words_before_); })) {
+        what += "registers " + how_.scratch + " (they held";
+        for (std::uint16_t const each : words_before_) {
+            what += ' ' + std::to_string(each);
+        }
+        what += ')';
+    }
+    if (coils_before_ and (has_function(0x0F) or has_function(5)) and
+        not held([&] { return write_coils(*coils_before_); })) {
+        what += (what.empty() ? "coils " : ", coils ") + how_.scratch_coils;
+    }
+    return what;
+}
+
+} // namespace tool

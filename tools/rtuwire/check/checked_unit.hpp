@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A unit that is checked: what it has, found by asking, its known states, and what clauses found out about it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "check/clause.hpp"
+#include "check/probed_line.hpp"
+#include "choices.hpp"
+
+namespace tool {
+
+/// One question and its answer.
+struct kept_exchange_of_check {
+    byte_list asked;
+    line_answer answer;
+    std::string_view clause;
+};
+
+/// Whether an answer is an exception, or would be with its high bit.
+[[nodiscard]] bool is_refusal(byte_list const& came, byte_list const& asked);
+
+class checked_unit {
+public:
+    checked_unit(probed_line& line, std::uint8_t unit, check_choices const& how) : line_{line}, how_{how}
+    {
+        where_.unit = unit;
+    }
+
+    /// Asks it, once for each function and place. False where nothing came at all.
+    bool discover();
+
+    /// Why a clause cannot be asked, in words; empty where it can.
+    std::string why_not_asked(clause const& which) const;
+    /// Whether that is a matter of the unit, and not of what was allowed.
+    bool is_not_applicable(clause const& which) const;
+
+    /// False where the unit does not come to it.
+    bool establish(clause_state state);
+
+    line_answer ask(std::vector<sent_piece> const& pieces, std::string_view clause);
+    line_answer ask(std::string_view words, std::string_view clause) { return ask(pieces_of(words, where_), clause); }
+
+    /// What stood in the scratch places; says what could not be put back, empty where all was.
+    std::string put_back();
+
+    probed_line& line() { return line_; }
+    check_choices const& how() const { return how_; }
+    /// Twice the longest that it took for an answer so far: for a question that may get none.
+    line_time usual_wait() const { return 2 * longest_answer_ + line_time{2'000}; }
+    known_places const& where() const { return where_; }
+    std::vector<kept_exchange_of_check> const& exchanges() const { return exchanges_; }
+    /// Those of a clause that failed are that clause's.
+    void forget(std::string_view clause);
+    bool has_function(unsigned function) const { return functions_.contains(function); }
+
+private:
+    bool reads(std::string_view words, std::size_t data);
+    std::optional<std::uint16_t> first_readable(unsigned function);
+    std::optional<std::uint16_t> first_missing(unsigned function, std::uint16_t there);
+    bool is_there(unsigned function, std::uint16_t address);
+    void find_crc_place();
+    void find_functions();
+    void find_other();
+    void find_scratch();
+    bool write_words(std::vector<std::uint16_t> const& values);
+    bool write_coils(std::uint16_t bits);
+    std::string why_missing(std::string_view need) const;
+
+    probed_line& line_;
+    check_choices const& how_;
+    known_places where_{};
+    std::set<unsigned> functions_{};    ///< that it has
+    std::set<unsigned> subfunctions_{}; ///< of function 08
+    bool names_singly_{false};          ///< by function 43/14
+    bool is_end_known_{false};          ///< nothing is behind the scratch registers
+    std::vector<std::uint16_t> words_before_{};
+    std::optional<std::uint16_t> coils_before_{};
+    std::vector<kept_exchange_of_check> exchanges_{};
+    line_time longest_answer_{0};
+};
+
+} // namespace tool

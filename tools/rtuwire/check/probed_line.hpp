@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A line on which any bytes are sent with any silence between them, and what comes is kept as it comes.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "check/clause_words.hpp"
+#include "line/exchange_log.hpp"
+#include "port/any_port.hpp"
+
+namespace tool {
+
+/// What passed, for whoever wants to see why a clause fails.
+struct passed_bytes {
+    std::chrono::steady_clock::time_point at; ///< when its last byte had passed
+    bool is_sent;
+    byte_list bytes;
+};
+
+using line_time = std::chrono::microseconds;
+
+struct line_answer {
+    byte_list bytes{};
+    line_time took{0};        ///< from the last byte that was sent to the first that came
+    line_time largest_gap{0}; ///< between its parts
+};
+
+/// The whole size of a response by what it says of itself; nothing while that has not come, or of a function that is not known.
+/// `asked` is its request, whose size that of an echo is.
+[[nodiscard]] std::optional<std::size_t> stated_size(rtuwire::byte_view came, rtuwire::byte_view asked);
+
+class probed_line {
+public:
+    /// `longest_wait`: for a response.
+    probed_line(any_port& port, exchange_log& log, rtuwire::line_timing const& wire, line_time longest_wait);
+
+    /// Keeps the silence before a frame, sends, and waits for the answer.
+    line_answer ask(std::vector<sent_piece> const& pieces) { return ask(pieces, longest_wait_); }
+    line_answer ask(std::vector<sent_piece> const& pieces, line_time wait);
+    line_answer ask(byte_list const& frame) { return ask({sent_piece{.bytes = frame}}); }
+
+    /// Drops what comes until nothing came for so long; at most ten times as long. A whole frame behind a request that got no
+    /// answer is a late one.
+    void wait_for_quiet(line_time silence);
+
+    /// Whether this machine kept the silences inside of what was sent last on the side of t1.5 and t3.5 on which they are wanted.
+    [[nodiscard]] bool has_kept_silences() const { return has_kept_silences_; }
+    [[nodiscard]] rtuwire::line_timing const& wire() const { return wire_; }
+    [[nodiscard]] line_time longest_wait() const { return longest_wait_; }
+    /// Whether the port has a wire with a bit rate, and no pseudo-terminal or network in its place.
+    [[nodiscard]] bool has_wire() const { return has_wire_; }
+    /// t3.5, and what the port wants beyond it.
+    [[nodiscard]] line_time silence() const;
+
+    /// The first answer that came behind the wait for it; empty where none did.
+    [[nodiscard]] byte_list const& late_answer() const { return late_answer_; }
+
+    /// What passed since the last call.
+    std::vector<passed_bytes> take_passed() { return std::exchange(passed_, {}); }
+
+private:
+    using clock = std::chrono::steady_clock;
+
+    void send(std::vector<sent_piece> const& pieces);
+    /// What comes until then; empty where nothing does.
+    byte_list read_until(clock::time_point end);
+    void note(bool is_sent, byte_list const& bytes);
+
+    any_port& port_;
+    exchange_log& log_;
+    rtuwire::line_timing wire_; ///< of the settings, where the port has none, too
+    line_time longest_wait_;
+    bool has_wire_;
+    std::vector<passed_bytes> passed_{};
+    clock::time_point last_byte_{clock::now()}; ///< that passed
+    bool has_kept_silences_{true};
+    bool is_unanswered_{false}; ///< the request that went last
+    byte_list late_answer_{};
+};
+
+} // namespace tool

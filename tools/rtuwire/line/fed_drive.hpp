@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A drive that is asked many things which are not about its motor: each request feeds its supervision of the line.
+#pragma once
+
+#include <string>
+
+#include "line/who_is_it.hpp"
+
+namespace tool {
+
+/// What a unit is that is to be asked many things.
+struct fed_unit {
+    bool may_be_drive{false};
+    drive_catalog const* drive{nullptr}; ///< its table, where it is known which one
+};
+
+/// What it says of itself, whatever was said of it.
+fed_unit who_is_fed(open_line& line, named_unit const& unit);
+
+/// Asks whoever sits there before a drive is fed, by `act` ("a map") and `question` ("map it?"); without a terminal --yes says
+/// so. Ends where the answer is a no.
+void ask_before_it_is_fed(fed_unit const& who, named_unit const& unit, permissions const& allowed,
+                          std::string const& act, char const* question);
+
+} // namespace tool
