@@ -96,9 +96,9 @@ struct check_choices {
     bool is_alone{false};        ///< no other unit is on the line
     bool may_disrupt{false};     ///< counters are lost, the unit is silenced, what is not there is written
     std::optional<std::uint16_t> readable{};
-    std::string only{}; ///< "L01,F03,I"
-    unsigned hostile{0};         ///< seconds of random frames; 0: none
-    std::uint32_t seed{1};       ///< of them
+    std::string only{};    ///< "L01,F03,I"
+    unsigned hostile{0};   ///< seconds of random frames; 0: none
+    std::uint32_t seed{1}; ///< of them
     bool lists{false};
     std::string explained{}; ///< a clause
     std::string junit{};     ///< a file
