@@ -33,10 +33,11 @@ bool is_normal(byte_list const& came, byte_list const& asked)
     return has_right_crc(came) and came[0] == asked[0] and came[1] == asked[1];
 }
 
-/// With or without its high bit: one clause judges that.
+/// Without its high bit, or with a second byte, too: one clause judges that.
 bool is_exception(byte_list const& came, unsigned code)
 {
-    return has_right_crc(came) and came.size() == 5 and came[2] == low(code);
+    bool const is_long = came.size() == 6 and came[1] >= std::byte{0x80};
+    return has_right_crc(came) and (came.size() == 5 or is_long) and came[2] == low(code);
 }
 
 } // namespace
@@ -72,6 +73,7 @@ line_answer checked_unit::ask(std::vector<sent_piece> const& pieces, std::string
     line_answer answer = line_.ask(pieces);
     byte_list const asked = bytes_of(pieces);
     longest_answer_ = std::max(longest_answer_, answer.took);
+    longest_gap_ = std::max(longest_gap_, answer.largest_gap);
     bool const is_plain = pieces.size() == 1 and has_right_crc(asked) and asked[0] == std::byte{where_.unit} and
                           asked[1] > std::byte{0} and asked[1] < std::byte{0x80};
     if (is_plain) {
@@ -98,6 +100,25 @@ bool checked_unit::is_there(unsigned function, std::uint16_t address)
         framed({std::byte{where_.unit}, low(function), high(address), low(address), std::byte{0}, std::byte{1}});
     byte_list const came = line_.ask(asked).bytes;
     return is_normal(came, asked) and came.size() == (function < 3 ? 6U : 7U);
+}
+
+bool checked_unit::is_missing(unsigned function, std::uint16_t address)
+{
+    return is_exception(line_
+                            .ask(framed({std::byte{where_.unit}, low(function), high(address), low(address),
+                                         std::byte{0}, std::byte{1}}))
+                            .bytes,
+                        2);
+}
+
+/// What the request before did to the unit is not this one's, and one lost frame is no silence.
+byte_list checked_unit::ask_from_known(std::vector<sent_piece> const& pieces)
+{
+    if (where_.holding or where_.input) {
+        static_cast<void>(establish(clause_state::known));
+    }
+    byte_list const came = line_.ask(pieces).bytes;
+    return came.empty() ? line_.ask(pieces).bytes : came;
 }
 
 /// A place that most devices have one of; nothing where none of them answers.
@@ -139,7 +160,9 @@ std::optional<std::uint16_t> checked_unit::first_missing(unsigned function, std:
         unsigned const middle = has + (lacks - has) / 2;
         (is_there(function, static_cast<std::uint16_t>(middle)) ? has : lacks) = middle;
     }
-    return static_cast<std::uint16_t>(lacks);
+    // What is misunderstood may be there: clauses write to an address that is said to be missing.
+    auto const found = static_cast<std::uint16_t>(lacks);
+    return is_missing(function, found) ? std::optional{found} : std::nullopt;
 }
 
 void checked_unit::find_crc_place()
@@ -161,26 +184,19 @@ void checked_unit::find_functions()
         std::string_view words;
     };
     // Writing functions are asked where there is a place for them.
-    constexpr harmless reading[]{
-        {0x08, "U 08 00 00 A5 5A CRC"}, {0x18, "U 18 R CRC"},     {0x2B, "U 2B 0E 01 00 CRC"}, {0x63, "U 63 CRC"},
-        {0x19, "U 19 00 00 CRC"},       {0x40, "U 40 00 00 CRC"}, {0x7C, "U 7C 00 00 CRC"}};
+    constexpr harmless reading[]{{0x08, "U 08 00 00 A5 5A CRC"}, {0x18, "U 18 R CRC"}, {0x2B, "U 2B 0E 01 00 CRC"}};
     for (auto const& [function, words] : reading) {
         if (function == 0x18 and not where_.holding) {
             continue;
         }
-        byte_list const came = line_.ask(pieces_of(words, where_)).bytes;
-        // Of a code without a meaning only a normal answer says that it is there.
-        bool const is_public = function == 0x08 or function == 0x18 or function == 0x2B;
-        bool const is_there =
-            is_public ? not came.empty() and not is_exception(came, 1)
-                      : came.size() > 3 and has_right_crc(came) and came[1] == static_cast<std::byte>(function);
-        if (is_there) {
+        byte_list const came = ask_from_known(pieces_of(words, where_));
+        if (not came.empty() and not is_exception(came, 1)) {
             functions_.insert(function);
         }
         names_singly_ =
             function == 0x2B ? came.size() > 5 and has_right_crc(came) and came[4] >= std::byte{0x81} : names_singly_;
     }
-    // Clearing, silencing and waking only where that is allowed: what is silenced is woken at once.
+    // Clearing and waking only where that is allowed; silencing is the clause's that judges it.
     constexpr unsigned counting[]{0x0B, 0x0C, 0x0D, 0x0E, 0x0F}, disturbing[]{0x0A, 0x01};
     std::vector<unsigned> subfunctions{std::begin(counting), std::end(counting)};
     if (how_.may_disrupt) {
@@ -189,15 +205,8 @@ void checked_unit::find_functions()
     for (unsigned const sub : has_function(0x08) ? subfunctions : std::vector<unsigned>{}) {
         byte_list const asked =
             framed({std::byte{where_.unit}, std::byte{8}, std::byte{0}, low(sub), std::byte{0}, std::byte{0}});
-        if (is_normal(line_.ask(asked).bytes, asked)) {
+        if (is_normal(ask_from_known({sent_piece{.bytes = asked}}), asked)) {
             subfunctions_.insert(sub);
-        }
-    }
-    if (subfunctions_.contains(0x01)) {
-        bool const is_silent = line_.ask(pieces_of("U 08 00 04 00 00 CRC", where_)).bytes.empty();
-        static_cast<void>(line_.ask(pieces_of("U 08 00 01 00 00 CRC", where_)));
-        if (is_silent) {
-            subfunctions_.insert(0x04);
         }
     }
 }
@@ -249,13 +258,13 @@ void checked_unit::find_scratch()
             framed({std::byte{where_.unit}, std::byte{0x17}, high(first), low(first), std::byte{0}, std::byte{1},
                     high(first), low(first), std::byte{0}, std::byte{1}, std::byte{2}, came[3], came[4]})};
         for (byte_list const& each : writes) {
-            byte_list const answer = line_.ask(each).bytes;
+            byte_list const answer = ask_from_known({sent_piece{.bytes = each}});
             if (not answer.empty() and not is_exception(answer, 1)) {
                 functions_.insert(std::to_integer<unsigned>(each[1]));
             }
         }
         auto const behind = static_cast<std::uint16_t>(first + count);
-        is_end_known_ = first + count <= 0xFFFFU and not is_there(3, behind);
+        is_end_known_ = first + count <= 0xFFFFU and is_missing(3, behind);
     }
     if (not how_.scratch_coils.empty()) {
         auto const [first, count] = range_in(how_.scratch_coils, "--scratch-coils");
@@ -280,7 +289,7 @@ void checked_unit::find_scratch()
             framed({std::byte{where_.unit}, std::byte{5}, high(first), low(first),
                     (came[3] & std::byte{1}) == std::byte{1} ? std::byte{0xFF} : std::byte{0}, std::byte{0}})};
         for (byte_list const& each : writes) {
-            byte_list const answer = line_.ask(each).bytes;
+            byte_list const answer = ask_from_known({sent_piece{.bytes = each}});
             if (not answer.empty() and not is_exception(answer, 1)) {
                 functions_.insert(std::to_integer<unsigned>(each[1]));
             }
@@ -288,8 +297,12 @@ void checked_unit::find_scratch()
     }
 }
 
-bool checked_unit::discover()
+bool checked_unit::discover(std::span<clause const* const> wanted)
 {
+    auto const is_needed = [wanted](std::string_view place) {
+        return std::ranges::any_of(wanted,
+                                   [place](clause const* each) { return each->needs.find(place) != each->needs.npos; });
+    };
     line_.wait_for_quiet(known_silence);
     if (how_.readable) {
         where_.holding = is_there(3, *how_.readable) ? how_.readable : std::nullopt;
@@ -316,10 +329,10 @@ bool checked_unit::discover()
     find_other();
     find_functions();
     find_crc_place();
-    if (where_.holding) {
+    if (where_.holding and is_needed("XA")) {
         where_.behind_holding = first_missing(3, *where_.holding);
     }
-    if (where_.coil) {
+    if (where_.coil and is_needed("XC")) {
         where_.behind_coil = first_missing(1, *where_.coil);
     }
     find_scratch();
@@ -355,12 +368,8 @@ std::string checked_unit::why_missing(std::string_view need) const
     if (need == "two") {
         return known(where_.readable >= 2, "no two registers can be read together");
     }
-    if (need == "no63") {
-        return known(not has_function(0x63), "function 99 is there");
-    }
-    if (need == "no19") {
-        return known(not has_function(0x19) and not has_function(0x40) and not has_function(0x7C),
-                     "one of them is there");
+    if (need == "unknown") {
+        return {}; // the clause's own answers say that
     }
     if (need == "exception") {
         bool const came =
@@ -495,14 +504,16 @@ bool checked_unit::establish(clause_state state)
     }
     byte_list const read = plain_read(where_);
     bool is_known = false;
-    for (unsigned i = 0; i < tries and not is_known; ++i) {
+    // Once is enough for a unit that all tries have lost already.
+    for (unsigned i = is_lost_ ? tries - 1 : 0; i < tries and not is_known; ++i) {
         byte_list const came = line_.ask(read).bytes;
         is_known = is_allowed("OK1", came, read, {}, where_);
-        if (not is_known) {
+        if (not is_known and i + 1 < tries) {
             line_.wait_for_quiet(line_.longest_wait());
         }
     }
-    if (not is_known) {
+    is_lost_ = not is_known;
+    if (is_lost_) {
         return false;
     }
     if (state == clause_state::words) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,7 @@ public:
     }
 
     /// Asks it, once for each function and place. False where nothing came at all.
-    bool discover();
+    bool discover(std::span<clause const* const> wanted);
 
     /// Why a clause cannot be asked, in words; empty where it can.
     std::string why_not_asked(clause const& which) const;
@@ -53,6 +54,9 @@ public:
     /// Twice the longest that it took for an answer so far: for a question that may get none.
     line_time usual_wait() const { return 2 * longest_answer_ + line_time{2'000}; }
     known_places const& where() const { return where_; }
+    line_time longest_answer() const { return longest_answer_; }
+    /// Between the parts of an answer.
+    line_time longest_gap() const { return longest_gap_; }
     std::vector<kept_exchange_of_check> const& exchanges() const { return exchanges_; }
     /// Those of a clause that failed are that clause's.
     void forget(std::string_view clause);
@@ -63,6 +67,9 @@ private:
     std::optional<std::uint16_t> first_readable(unsigned function);
     std::optional<std::uint16_t> first_missing(unsigned function, std::uint16_t there);
     bool is_there(unsigned function, std::uint16_t address);
+    /// Whether it says so: exception 02.
+    bool is_missing(unsigned function, std::uint16_t address);
+    byte_list ask_from_known(std::vector<sent_piece> const& pieces);
     void find_crc_place();
     void find_functions();
     void find_other();
@@ -77,11 +84,13 @@ private:
     std::set<unsigned> functions_{};    ///< that it has
     std::set<unsigned> subfunctions_{}; ///< of function 08
     bool names_singly_{false};          ///< by function 43/14
+    bool is_lost_{false};               ///< no try brought it to the known state
     bool is_end_known_{false};          ///< nothing is behind the scratch registers
     std::vector<std::uint16_t> words_before_{};
     std::optional<std::uint16_t> coils_before_{};
     std::vector<kept_exchange_of_check> exchanges_{};
     line_time longest_answer_{0};
+    line_time longest_gap_{0};
 };
 
 } // namespace tool

@@ -14,6 +14,7 @@ namespace tool {
 namespace {
 
 constexpr line_time end_of_answer{45'000}; ///< of silence, where its size is not known
+constexpr std::size_t shortest_answer = 5;
 
 bool is_pseudo_terminal(std::string const& device)
 {
@@ -126,11 +127,17 @@ void probed_line::wait_for_quiet(line_time silence)
 void probed_line::send(std::vector<sent_piece> const& pieces)
 {
     has_kept_silences_ = true;
+    early_.clear();
     double const character = std::max<double>(wire_.characters(1).microseconds, 1);
     auto left = clock::now();
     for (sent_piece const& each : pieces) {
         line_time const gap{static_cast<std::int64_t>(each.characters * character) + 1'000 * std::int64_t{each.ms}};
         if (gap > line_time{0}) {
+            // An answer to a part of it stands before all that comes later.
+            for (auto const end = left + gap - line_time{2'000}; gap > line_time{50'000} and clock::now() < end;) {
+                byte_list const bytes = read_until(end);
+                early_.insert(early_.end(), bytes.begin(), bytes.end());
+            }
             std::this_thread::sleep_until(left + gap);
             double const kept = std::chrono::duration<double, std::micro>(clock::now() - left).count() / character;
             // Without a wire nobody counts in characters: what is below 2 ms is no silence there.
@@ -171,9 +178,15 @@ line_answer probed_line::ask(std::vector<sent_piece> const& pieces, line_time wa
         last = now;
         answer.bytes.insert(answer.bytes.end(), bytes.begin(), bytes.end());
         // What says how long it is has ended there; what comes right behind it is seen all the same.
-        bool const is_whole = answer.bytes.size() >= stated_size(answer.bytes, asked).value_or(answer.bytes.size() + 1);
-        end = now + (is_whole ? std::max(silence(), line_time{2'000}) : end_of_answer);
+        auto const size = stated_size(answer.bytes, asked);
+        bool const is_whole = answer.bytes.size() >= size.value_or(answer.bytes.size() + 1);
+        // The rest of it, but of an exception without its high bit.
+        bool const is_due = (size and not has_right_crc(answer.bytes)) or answer.bytes.size() < shortest_answer;
+        end = now + (is_whole ? std::max(silence(), line_time{2'000})
+                     : is_due ? std::max(wait, end_of_answer)
+                              : end_of_answer);
     }
+    answer.bytes.insert(answer.bytes.begin(), early_.begin(), early_.end());
     is_unanswered_ = answer.bytes.empty();
     if (not is_unanswered_) {
         note(false, answer.bytes);

@@ -79,6 +79,7 @@ private:
     std::vector<passed_bytes> passed_{};
     clock::time_point last_byte_{clock::now()}; ///< that passed
     bool has_kept_silences_{true};
+    byte_list early_{};         ///< what came inside of that request
     bool is_unanswered_{false}; ///< the request that went last
     byte_list late_answer_{};
 };

@@ -16,6 +16,7 @@ namespace tool {
 namespace {
 
 constexpr std::size_t shown_bytes = 40;
+constexpr std::string_view listen_only{"D12"};
 
 std::string shown(byte_list const& bytes)
 {
@@ -347,7 +348,7 @@ private:
     {
         for (std::string_view const each : {"U 03 R 00 00 CRC", "U 03 FF FF 00 02 CRC"}) {
             byte_list const came = say(each);
-            if (came.size() < 2 or came[1] != std::byte{0x83}) {
+            if (not is_refusal(came, bytes_of(pieces_of(each, unit_.where())))) {
                 return {verdict::does_not_apply, "one of its two requests is not refused by an exception", {}};
             }
         }
@@ -408,6 +409,17 @@ private:
     clause const& which_;
 };
 
+/// What a wrong answer says of the unit where it is no fault: it has a function that nobody should have, or lacks one.
+std::string why_none(clause const& which, std::size_t step, byte_list const& came, byte_list const& asked)
+{
+    bool const is_answer = has_right_crc(came) and came.size() > 3 and came[0] == asked[0];
+    if (which.needs == "unknown" and is_answer and came[1] == asked[1] and not is_refusal(came, asked)) {
+        return "function " + std::to_string(std::to_integer<unsigned>(asked[1])) + " is there";
+    }
+    bool const lacks_silence = which.id == listen_only and step == 0 and is_answer and is_refusal(came, asked);
+    return lacks_silence and came[2] == std::byte{1} ? "the unit does not have that sub-function" : std::string{};
+}
+
 /// Step by step, up to the first answer that may not come.
 judgement steps_judged(checked_unit& unit, clause const& which)
 {
@@ -420,6 +432,9 @@ judgement steps_judged(checked_unit& unit, clause const& which)
         if (not is_allowed(comes[i], came, asked, before, unit.where())) {
             if (not unit.line().has_kept_silences()) {
                 return {verdict::not_tried, "this machine did not keep the silences inside of the frame", {}};
+            }
+            if (std::string why = why_none(which, i, came, asked); not why.empty()) {
+                return {verdict::does_not_apply, std::move(why), {}};
             }
             std::string const step =
                 sends.size() == 1 ? std::string{}
@@ -477,6 +492,9 @@ judgement judged(checked_unit& unit, clause const& which)
     }
     if (is_timed and found.how == verdict::holds and not first.empty()) {
         found.why = "not at once: " + first;
+    }
+    if (which.id == listen_only and found.how != verdict::holds) {
+        static_cast<void>(unit.line().ask(pieces_of("U 08 00 01 00 00 CRC", unit.where()))); // it is not left silenced
     }
     if (found.how == verdict::fails) {
         unit.forget(which.id);

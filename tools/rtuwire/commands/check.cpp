@@ -53,7 +53,8 @@ std::vector<clause const*> wanted(std::string const& only)
     if (all.empty()) {
         refuse_word("--only " + only + ": no clause is called so; --list names all");
     }
-    std::ranges::stable_partition(all, [](clause const* each) { return each->state != clause_state::last; });
+    // Clang 14 cannot use the one of std::ranges.
+    std::stable_partition(all.begin(), all.end(), [](clause const* each) { return each->state != clause_state::last; });
     return all;
 }
 
@@ -114,7 +115,7 @@ public:
                            std::chrono::duration_cast<line_time>(std::chrono::duration<double>{seconds})};
         checked_unit unit{probed, unit_.unit.byte(), chosen_.check};
         note_signals();
-        if (not unit.discover()) {
+        if (not unit.discover(clauses_)) {
             throw ended{exit_status::no_answer, "unit " + std::to_string(unit_.unit.byte()) +
                                                     ": no response to functions 01 to 04; scan looks for who is there"};
         }
@@ -128,6 +129,7 @@ public:
         if (drive != nullptr) {
             leave(line, *drive);
         }
+        tell_pace(unit);
         return tell();
     }
 
@@ -203,6 +205,24 @@ private:
         if (std::string const left = unit.put_back(); not left.empty()) {
             std::fprintf(stderr, "rtuwire: not put back: %s\n", plain_text(left).c_str());
             is_left_changed_ = true;
+        }
+    }
+
+    /// What is no fault by itself, and decides what a client has to wait for.
+    static void tell_pace(checked_unit const& unit)
+    {
+        constexpr line_time slow{300'000},
+            halting{45'000}; // most clients wait longer than the one, and not than the other
+        auto const ms = [](line_time time) { return static_cast<long long>(time.count() / 1'000); };
+        if (unit.longest_answer() >= slow) {
+            std::fprintf(stderr, "note: the unit is slow: answers began up to %lld ms behind their request\n",
+                         ms(unit.longest_answer()));
+        }
+        if (unit.longest_gap() >= halting) {
+            std::fprintf(
+                stderr,
+                "note: answers halt: silences of up to %lld ms are inside of them, and end a frame for most clients\n",
+                ms(unit.longest_gap()));
         }
     }
 
