@@ -5,9 +5,11 @@
     python3 checked_drives.py TOOL
 """
 import signal
+import threading
 import time
 
-from checking import COIL_SCRATCH, SCRATCH, UNIT, Server
+from defective_servers import SCRATCH, SCRATCH_COILS, UNIT, Server
+from defective_servers import Line as ServedLine
 from support import DIFFERS, DONE, REFUSED, USAGE, Simulator, Tool, runs, soon
 
 from simulator import Registers, asked, pymodbus_on  # noqa: I100
@@ -61,20 +63,22 @@ def check_drive(check, tool_path):
 def check_changes(check, tool_path):
     """What may be changed is put back, whatever ends the command."""
     with Tool(tool_path) as tool:
-        server = Server("none")
+        line, is_over = ServedLine([Server]), threading.Event()
+        threading.Thread(target=line.run_until, args=(is_over.is_set,), daemon=True).start()
+        server = line.servers[0]
         kept = (list(server.holding), list(server.coils))
-        words = ["--write", "check", "--scratch", SCRATCH, "--scratch-coils", COIL_SCRATCH]
+        words = ["--write", "check", "--scratch", SCRATCH, "--scratch-coils", SCRATCH_COILS]
         for how, status in ((["check", "--scratch", SCRATCH], REFUSED), (["check", "--disruptive"], REFUSED),
                             (["--write", "check", "--scratch", "1-3"], USAGE), (["--write", "check", "--scratch", "x"], USAGE),
                             (["--write", "check", "--scratch-coils", "0-3"], USAGE), (["check", "--alone"], USAGE),
                             (["check", "--only", "Q9"], USAGE), (["check", "--explain", "L99"], USAGE),
                             (["--write", "check", "--scratch", "400-407"], DIFFERS)):
-            ended = tool.run(*QUICK, "-u", UNIT, *how, port=server.device)
+            ended = tool.run(*QUICK, "-u", UNIT, *how, port=server.name)
             check(ended.status == status and ended.errors, f"{how}: {status}", ended)
         check((server.holding, server.coils) == kept, "nothing was changed by what was refused")
 
         for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
-            process = tool.start(*QUICK, "-u", UNIT, "--json", *words, "--only", "F16,F06,F05,F15", port=server.device)
+            process = tool.start(*QUICK, "-u", UNIT, "--json", *words, "--only", "F16,F06,F05,F15", port=server.name)
             is_changed = soon(lambda: server.holding != kept[0])
             process.send_signal(number)
             _, errors = process.communicate(timeout=60)
@@ -82,6 +86,7 @@ def check_changes(check, tool_path):
                   f"{signal.Signals(number).name} ends it", (process.returncode, errors))
             check((server.holding, server.coils) == kept, "and what it changed is put back",
                   [i for i, each in enumerate(server.holding) if each != kept[0][i]])
+        is_over.set()
 
 
 def main(check, tool_path):

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""What `check` says of servers with one defect each. They were written, with the clauses that each breaks, from the clauses'
-texts alone, before the code that checks was read. All are checked at once: nearly all of that time is waiting.
+"""What `check` says of servers with one defect each, and which clauses each breaks: nearly all written from the clauses' texts
+alone, before the code that checks was read. All are checked at once: nearly all of that time is waiting.
 
     python3 defective_servers.py TOOL [WORD OF A SERVER'S NAME]
 """

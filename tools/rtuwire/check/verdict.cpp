@@ -482,9 +482,9 @@ judgement judged(checked_unit& unit, clause const& which)
         which.sends.find('~') != which.sends.npos or which.id == "L40" or which.id == "L41" or which.id == "T02";
     judgement found = judged_once(unit, which);
     std::string first = found.why;
-    for (unsigned tries = 1; is_timed and tries < 3 and
-                             (found.how == verdict::fails or found.how == verdict::not_tried) and noted_signal() == 0;
-         ++tries) {
+    for (unsigned turn = 1; is_timed and turn < 3 and
+                            (found.how == verdict::fails or found.how == verdict::not_tried) and noted_signal() == 0;
+         ++turn) {
         if (not unit.establish(which.state)) {
             break;
         }
