@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A register that a view or a block does not have is neither read nor written: the program's hook is called, and
-// the program ends. The hook of this program is in result_values.cpp.
+// the program ends.
 #include <rtuwire/wire/registers.hpp>
 
 #include <limits>
 
+#include "defect/missing_value_hook.hpp"
 #include "support/death.hpp"
 #include "support/proof.hpp"
 

@@ -1,22 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A value that is not there is never read: the program's hook is called, and the program ends. This file also
-// defines the hook of this program.
+// A value that is not there is never read: the program's hook is called, and the program ends.
 #include <rtuwire/core/result.hpp>
 
 #include <cstdint>
 
+#include "defect/missing_value_hook.hpp"
 #include "defect/result_values.hpp"
 
 static_assert(RTUWIRE_CHECKED == 1, "reading a value that is not there is caught where there is a system");
-
-void rtuwire::on_missing_value(rtuwire::errc why) noexcept
-{
-    auto const byte = static_cast<unsigned char>(why);
-    if (::write(test::last_words, &byte, 1) != 1) {
-        _exit(1);
-    }
-}
 
 TEST_CASE("defect: the value of a failed result is not read") { test::values_are_checked(); }
 
