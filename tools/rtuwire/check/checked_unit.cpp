@@ -20,21 +20,21 @@ constexpr std::uint16_t first_scratch_word = 0x5A00;
 std::byte low(unsigned value) { return static_cast<std::byte>(value & 0xFFU); }
 std::byte high(unsigned value) { return static_cast<std::byte>(value >> 8U & 0xFFU); }
 
-byte_list framed(byte_list frame)
+line_bytes framed(line_bytes frame)
 {
-    byte_list const crc = crc_of(frame);
+    line_bytes const crc = crc_of(frame);
     frame.insert(frame.end(), crc.begin(), crc.end());
     return frame;
 }
 
 /// A normal answer to a frame with that function.
-bool is_normal(byte_list const& came, byte_list const& asked)
+bool is_normal(line_bytes const& came, line_bytes const& asked)
 {
     return has_right_crc(came) and came[0] == asked[0] and came[1] == asked[1];
 }
 
 /// Without its high bit, or with a second byte, too: one clause judges that.
-bool is_exception(byte_list const& came, unsigned code)
+bool is_exception(line_bytes const& came, unsigned code)
 {
     bool const is_long = came.size() == 6 and came[1] >= std::byte{0x80};
     return has_right_crc(came) and (came.size() == 5 or is_long) and came[2] == low(code);
@@ -42,7 +42,7 @@ bool is_exception(byte_list const& came, unsigned code)
 
 } // namespace
 
-bool is_refusal(byte_list const& came, byte_list const& asked)
+bool is_refusal(line_bytes const& came, line_bytes const& asked)
 {
     bool const has_high_bit = came.size() > 1 and came[1] == (asked[1] | std::byte{0x80});
     // Without it, it has the form of no normal answer: function, code.
@@ -71,7 +71,7 @@ std::pair<std::uint16_t, unsigned> range_in(std::string const& word, std::string
 line_answer checked_unit::ask(std::vector<sent_piece> const& pieces, std::string_view clause)
 {
     line_answer answer = line_.ask(pieces);
-    byte_list const asked = bytes_of(pieces);
+    line_bytes const asked = bytes_of(pieces);
     longest_answer_ = std::max(longest_answer_, answer.took);
     longest_gap_ = std::max(longest_gap_, answer.largest_gap);
     bool const is_plain = pieces.size() == 1 and has_right_crc(asked) and asked[0] == std::byte{where_.unit} and
@@ -89,16 +89,16 @@ void checked_unit::forget(std::string_view clause)
 
 bool checked_unit::reads(std::string_view words, std::size_t data)
 {
-    byte_list const asked = bytes_of(pieces_of(words, where_));
-    byte_list const came = line_.ask(asked).bytes;
+    line_bytes const asked = bytes_of(pieces_of(words, where_));
+    line_bytes const came = line_.ask(asked).bytes;
     return is_normal(came, asked) and came.size() == 5 + data;
 }
 
 bool checked_unit::is_there(unsigned function, std::uint16_t address)
 {
-    byte_list const asked =
+    line_bytes const asked =
         framed({std::byte{where_.unit}, low(function), high(address), low(address), std::byte{0}, std::byte{1}});
-    byte_list const came = line_.ask(asked).bytes;
+    line_bytes const came = line_.ask(asked).bytes;
     return is_normal(came, asked) and came.size() == (function < 3 ? 6U : 7U);
 }
 
@@ -112,12 +112,12 @@ bool checked_unit::is_missing(unsigned function, std::uint16_t address)
 }
 
 /// What the request before did to the unit is not this one's, and one lost frame is no silence.
-byte_list checked_unit::ask_from_known(std::vector<sent_piece> const& pieces)
+line_bytes checked_unit::ask_from_known(std::vector<sent_piece> const& pieces)
 {
     if (where_.holding or where_.input) {
         static_cast<void>(establish(clause_state::known));
     }
-    byte_list const came = line_.ask(pieces).bytes;
+    line_bytes const came = line_.ask(pieces).bytes;
     return came.empty() ? line_.ask(pieces).bytes : came;
 }
 
@@ -126,9 +126,9 @@ std::optional<std::uint16_t> checked_unit::first_readable(unsigned function)
 {
     constexpr std::uint16_t usual[]{0, 1, 100, 1'000, 3'201, 4'000, 40'000, 40'001, 50'000, 0x1000, 0x2000, 0x6000};
     for (std::uint16_t const each : usual) {
-        byte_list const asked =
+        line_bytes const asked =
             framed({std::byte{where_.unit}, low(function), high(each), low(each), std::byte{0}, std::byte{1}});
-        byte_list const came = ask({sent_piece{.bytes = asked}}, "discovery").bytes;
+        line_bytes const came = ask({sent_piece{.bytes = asked}}, "discovery").bytes;
         if (is_normal(came, asked)) {
             functions_.insert(function);
             return each;
@@ -168,7 +168,7 @@ std::optional<std::uint16_t> checked_unit::first_missing(unsigned function, std:
 void checked_unit::find_crc_place()
 {
     for (unsigned address = 0; address < 0x1'0000; ++address) {
-        byte_list const crc = crc_of(byte_list{std::byte{where_.unit}, std::byte{3}, high(address), low(address)});
+        line_bytes const crc = crc_of(line_bytes{std::byte{where_.unit}, std::byte{3}, high(address), low(address)});
         unsigned const quantity = std::to_integer<unsigned>(crc[0]) << 8U | std::to_integer<unsigned>(crc[1]);
         if (quantity > 0 and quantity <= 125 and (not where_.crc_address or quantity < where_.crc_quantity)) {
             where_.crc_address = static_cast<std::uint16_t>(address);
@@ -189,7 +189,7 @@ void checked_unit::find_functions()
         if (function == 0x18 and not where_.holding) {
             continue;
         }
-        byte_list const came = ask_from_known(pieces_of(words, where_));
+        line_bytes const came = ask_from_known(pieces_of(words, where_));
         if (not came.empty() and not is_exception(came, 1)) {
             functions_.insert(function);
         }
@@ -203,7 +203,7 @@ void checked_unit::find_functions()
         subfunctions.insert(subfunctions.end(), std::begin(disturbing), std::end(disturbing));
     }
     for (unsigned const sub : has_function(0x08) ? subfunctions : std::vector<unsigned>{}) {
-        byte_list const asked =
+        line_bytes const asked =
             framed({std::byte{where_.unit}, std::byte{8}, std::byte{0}, low(sub), std::byte{0}, std::byte{0}});
         if (is_normal(ask_from_known({sent_piece{.bytes = asked}}), asked)) {
             subfunctions_.insert(sub);
@@ -234,9 +234,9 @@ void checked_unit::find_scratch()
         }
         where_.scratch = first;
         where_.scratch_count = count;
-        byte_list const asked =
+        line_bytes const asked =
             framed({std::byte{where_.unit}, std::byte{3}, high(first), low(first), std::byte{0}, low(count)});
-        byte_list const came = line_.ask(asked).bytes;
+        line_bytes const came = line_.ask(asked).bytes;
         if (not is_normal(came, asked) or came.size() != 5 + 2 * count) {
             throw ended{exit_status::differs, "--scratch " + how_.scratch + ": unit " + std::to_string(where_.unit) +
                                                   " does not read them by function 03 (" +
@@ -248,17 +248,17 @@ void checked_unit::find_scratch()
                                                                std::to_integer<unsigned>(came[i + 1])));
         }
         // Each writing function writes what stands there.
-        byte_list sixteen{std::byte{where_.unit}, std::byte{0x10}, high(first),   low(first),
-                          std::byte{0},           low(count),      low(2 * count)};
+        line_bytes sixteen{std::byte{where_.unit}, std::byte{0x10}, high(first),   low(first),
+                           std::byte{0},           low(count),      low(2 * count)};
         sixteen.insert(sixteen.end(), came.begin() + 3, came.end() - 2);
-        byte_list const writes[]{
+        line_bytes const writes[]{
             framed(sixteen), framed({std::byte{where_.unit}, std::byte{6}, high(first), low(first), came[3], came[4]}),
             framed({std::byte{where_.unit}, std::byte{0x16}, high(first), low(first), std::byte{0xFF}, std::byte{0xFF},
                     std::byte{0}, std::byte{0}}),
             framed({std::byte{where_.unit}, std::byte{0x17}, high(first), low(first), std::byte{0}, std::byte{1},
                     high(first), low(first), std::byte{0}, std::byte{1}, std::byte{2}, came[3], came[4]})};
-        for (byte_list const& each : writes) {
-            byte_list const answer = ask_from_known({sent_piece{.bytes = each}});
+        for (line_bytes const& each : writes) {
+            line_bytes const answer = ask_from_known({sent_piece{.bytes = each}});
             if (not answer.empty() and not is_exception(answer, 1)) {
                 functions_.insert(std::to_integer<unsigned>(each[1]));
             }
@@ -272,9 +272,9 @@ void checked_unit::find_scratch()
             refuse_word("--scratch-coils " + how_.scratch_coils + ": the clauses need 16 of them");
         }
         where_.scratch_coil = first;
-        byte_list const asked =
+        line_bytes const asked =
             framed({std::byte{where_.unit}, std::byte{1}, high(first), low(first), std::byte{0}, std::byte{16}});
-        byte_list const came = line_.ask(asked).bytes;
+        line_bytes const came = line_.ask(asked).bytes;
         if (not is_normal(came, asked) or came.size() != 7) {
             throw ended{exit_status::differs, "--scratch-coils " + how_.scratch_coils + ": unit " +
                                                   std::to_string(where_.unit) + " does not read them by function 01 (" +
@@ -283,13 +283,13 @@ void checked_unit::find_scratch()
         }
         coils_before_ =
             static_cast<std::uint16_t>(std::to_integer<unsigned>(came[4]) << 8U | std::to_integer<unsigned>(came[3]));
-        byte_list const writes[]{
+        line_bytes const writes[]{
             framed({std::byte{where_.unit}, std::byte{0x0F}, high(first), low(first), std::byte{0}, std::byte{16},
                     std::byte{2}, came[3], came[4]}),
             framed({std::byte{where_.unit}, std::byte{5}, high(first), low(first),
                     (came[3] & std::byte{1}) == std::byte{1} ? std::byte{0xFF} : std::byte{0}, std::byte{0}})};
-        for (byte_list const& each : writes) {
-            byte_list const answer = ask_from_known({sent_piece{.bytes = each}});
+        for (line_bytes const& each : writes) {
+            line_bytes const answer = ask_from_known({sent_piece{.bytes = each}});
             if (not answer.empty() and not is_exception(answer, 1)) {
                 functions_.insert(std::to_integer<unsigned>(each[1]));
             }
@@ -344,7 +344,7 @@ std::string checked_unit::why_missing(std::string_view need) const
     auto const known = [](bool is_there, std::string_view what) {
         return is_there ? std::string{} : std::string{what};
     };
-    byte_list const read = where_.holding or where_.input ? plain_read(where_) : byte_list(8);
+    line_bytes const read = where_.holding or where_.input ? plain_read(where_) : line_bytes(8);
     if (need == "R") {
         return known(where_.holding.has_value(),
                      "no holding register was found that can be read; --readable names one");
@@ -441,30 +441,30 @@ bool checked_unit::write_words(std::vector<std::uint16_t> const& values)
     std::uint16_t const first = *where_.scratch;
     bool is_written = true;
     if (has_function(0x10)) {
-        byte_list frame{std::byte{where_.unit},
-                        std::byte{0x10},
-                        high(first),
-                        low(first),
-                        std::byte{0},
-                        low(static_cast<unsigned>(values.size())),
-                        low(static_cast<unsigned>(2 * values.size()))};
+        line_bytes frame{std::byte{where_.unit},
+                         std::byte{0x10},
+                         high(first),
+                         low(first),
+                         std::byte{0},
+                         low(static_cast<unsigned>(values.size())),
+                         low(static_cast<unsigned>(2 * values.size()))};
         for (std::uint16_t const each : values) {
             frame.push_back(high(each));
             frame.push_back(low(each));
         }
-        byte_list const asked = framed(frame);
+        line_bytes const asked = framed(frame);
         is_written = is_normal(line_.ask(asked).bytes, asked);
     } else {
         for (std::size_t i = 0; i < values.size(); ++i) {
             unsigned const at = first + static_cast<unsigned>(i);
-            byte_list const asked =
+            line_bytes const asked =
                 framed({std::byte{where_.unit}, std::byte{6}, high(at), low(at), high(values[i]), low(values[i])});
             is_written = is_normal(line_.ask(asked).bytes, asked) and is_written;
         }
     }
-    byte_list const asked = framed({std::byte{where_.unit}, std::byte{3}, high(first), low(first), std::byte{0},
-                                    low(static_cast<unsigned>(values.size()))});
-    byte_list due{asked[0], asked[1], low(static_cast<unsigned>(2 * values.size()))};
+    line_bytes const asked = framed({std::byte{where_.unit}, std::byte{3}, high(first), low(first), std::byte{0},
+                                     low(static_cast<unsigned>(values.size()))});
+    line_bytes due{asked[0], asked[1], low(static_cast<unsigned>(2 * values.size()))};
     for (std::uint16_t const each : values) {
         due.push_back(high(each));
         due.push_back(low(each));
@@ -476,8 +476,8 @@ bool checked_unit::write_coils(std::uint16_t bits)
 {
     std::uint16_t const first = *where_.scratch_coil;
     if (has_function(0x0F)) {
-        byte_list const asked = framed({std::byte{where_.unit}, std::byte{0x0F}, high(first), low(first), std::byte{0},
-                                        std::byte{16}, std::byte{2}, low(bits), high(bits)});
+        line_bytes const asked = framed({std::byte{where_.unit}, std::byte{0x0F}, high(first), low(first), std::byte{0},
+                                         std::byte{16}, std::byte{2}, low(bits), high(bits)});
         static_cast<void>(line_.ask(asked));
     } else {
         for (unsigned i = 0; i < 16; ++i) {
@@ -487,7 +487,7 @@ bool checked_unit::write_coils(std::uint16_t bits)
                                   (bits >> i & 1U) != 0 ? std::byte{0xFF} : std::byte{0}, std::byte{0}})));
         }
     }
-    byte_list const asked =
+    line_bytes const asked =
         framed({std::byte{where_.unit}, std::byte{1}, high(first), low(first), std::byte{0}, std::byte{16}});
     return line_.ask(asked).bytes == framed({asked[0], asked[1], std::byte{2}, low(bits), high(bits)});
 }
@@ -502,11 +502,11 @@ bool checked_unit::establish(clause_state state)
     if (state == clause_state::quiet) {
         return true;
     }
-    byte_list const read = plain_read(where_);
+    line_bytes const read = plain_read(where_);
     bool is_known = false;
     // Once is enough for a unit that all tries have lost already.
     for (unsigned i = is_lost_ ? tries - 1 : 0; i < tries and not is_known; ++i) {
-        byte_list const came = line_.ask(read).bytes;
+        line_bytes const came = line_.ask(read).bytes;
         is_known = is_allowed("OK1", came, read, {}, where_);
         if (not is_known and i + 1 < tries) {
             line_.wait_for_quiet(line_.longest_wait());

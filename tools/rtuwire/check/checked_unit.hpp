@@ -17,13 +17,13 @@ namespace tool {
 
 /// One question and its answer.
 struct kept_exchange_of_check {
-    byte_list asked;
+    line_bytes asked;
     line_answer answer;
     std::string_view clause;
 };
 
 /// Whether an answer is an exception, or would be with its high bit.
-[[nodiscard]] bool is_refusal(byte_list const& came, byte_list const& asked);
+[[nodiscard]] bool is_refusal(line_bytes const& came, line_bytes const& asked);
 
 class checked_unit {
 public:
@@ -69,7 +69,7 @@ private:
     bool is_there(unsigned function, std::uint16_t address);
     /// Whether it says so: exception 02.
     bool is_missing(unsigned function, std::uint16_t address);
-    byte_list ask_from_known(std::vector<sent_piece> const& pieces);
+    line_bytes ask_from_known(std::vector<sent_piece> const& pieces);
     void find_crc_place();
     void find_functions();
     void find_other();

@@ -96,29 +96,29 @@ std::optional<std::uint16_t> address_of(std::string_view word, known_places cons
     return static_cast<std::uint16_t>(*found->value + more);
 }
 
-void add_word(byte_list& bytes, std::uint16_t value)
+void add_word(line_bytes& bytes, std::uint16_t value)
 {
     bytes.push_back(static_cast<std::byte>(value >> 8U));
     bytes.push_back(static_cast<std::byte>(value & 0xFFU));
 }
 
 /// What a word stands for that is the same in what is sent and in what comes; nothing of others.
-std::optional<byte_list> plain_bytes(std::string_view word, known_places const& where)
+std::optional<line_bytes> plain_bytes(std::string_view word, known_places const& where)
 {
     if (is_hex_byte(word)) {
-        return byte_list{hex_byte_of(word)};
+        return line_bytes{hex_byte_of(word)};
     }
     if (word == "U" or word == "V") {
-        return byte_list{std::byte{word == "U" ? where.unit : where.other}};
+        return line_bytes{std::byte{word == "U" ? where.unit : where.other}};
     }
     if (word.starts_with("B(")) {
-        return byte_list{static_cast<std::byte>(number_of(word.substr(1), where))};
+        return line_bytes{static_cast<std::byte>(number_of(word.substr(1), where))};
     }
     if (word == "READ") {
         return plain_read(where);
     }
     if (auto const address = address_of(word, where)) {
-        byte_list bytes;
+        line_bytes bytes;
         add_word(bytes, *address);
         return bytes;
     }
@@ -157,7 +157,7 @@ public:
     }
 
 private:
-    void add(byte_list const& bytes)
+    void add(line_bytes const& bytes)
     {
         pieces_.back().bytes.insert(pieces_.back().bytes.end(), bytes.begin(), bytes.end());
         frame_.insert(frame_.end(), bytes.begin(), bytes.end());
@@ -185,13 +185,13 @@ private:
 
     void take_crc(std::string_view word)
     {
-        byte_list of = frame_;
+        line_bytes of = frame_;
         if (word == "CRC@V" and not of.empty()) {
             of.front() = std::byte{where_.other};
         } else if (word.starts_with("CRC(")) {
             of = bytes_of(pieces_of(word.substr(4, word.size() - 5), where_));
         }
-        byte_list crc = crc_of(of);
+        line_bytes crc = crc_of(of);
         if (word == "SWAP") {
             std::ranges::reverse(crc);
         }
@@ -219,7 +219,7 @@ private:
 
     known_places const& where_;
     std::vector<sent_piece> pieces_{1};
-    byte_list frame_{};
+    line_bytes frame_{};
     std::size_t begin_{0}; ///< of the frame, in all bytes
     std::vector<std::string_view> changes_{};
 };
@@ -227,7 +227,7 @@ private:
 /// An answer that is held against words, from its begin on.
 class held_answer {
 public:
-    held_answer(byte_list const& came, byte_list const& asked, known_places const& where)
+    held_answer(line_bytes const& came, line_bytes const& asked, known_places const& where)
         : came_{came}, asked_{asked}, where_{where}
     {}
 
@@ -246,7 +246,7 @@ private:
             return skip(star == word.npos ? 1 : number_of(word.substr(star + 1), where_));
         }
         if (word == "CRC") {
-            byte_list const crc = crc_of(byte_view{came_}.subspan(begin_, at_ - begin_));
+            line_bytes const crc = crc_of(byte_view{came_}.subspan(begin_, at_ - begin_));
             bool const fits = takes_bytes(crc);
             begin_ = at_;
             return fits;
@@ -270,14 +270,14 @@ private:
 
     bool takes_plain(std::string_view word)
     {
-        std::optional<byte_list> const bytes = plain_bytes(word, where_);
+        std::optional<line_bytes> const bytes = plain_bytes(word, where_);
         if (not bytes) {
             throw std::logic_error{"'" + std::string{word} + "' is no word of an answer"};
         }
         return takes_bytes(*bytes);
     }
 
-    bool takes_bytes(byte_list const& bytes)
+    bool takes_bytes(line_bytes const& bytes)
     {
         bool const fits = came_.size() - at_ >= bytes.size() and
                           std::equal(bytes.begin(), bytes.end(), came_.begin() + static_cast<std::ptrdiff_t>(at_));
@@ -321,20 +321,20 @@ private:
         return word(head) == 2 + 2 * count and count <= 31 and skip(2 * count) and takes("CRC");
     }
 
-    byte_list const& came_;
-    byte_list const& asked_;
+    line_bytes const& came_;
+    line_bytes const& asked_;
     known_places const& where_;
     std::size_t at_{0};
     std::size_t begin_{0}; ///< of the frame
 };
 
 /// An exception without its high bit, or with a byte more behind its code, is the one that it means: one clause judges its form.
-bool means_exception(std::string_view words, byte_list const& came, known_places const& where)
+bool means_exception(std::string_view words, line_bytes const& came, known_places const& where)
 {
     std::vector<std::string_view> const all = words_in(words);
     if (all.size() != 4 or all[0] != "U" or all[3] != "CRC" or not is_hex_byte(all[1]) or not is_hex_byte(all[2]) or
         came.size() < 5 or came.size() > 6 or
-        crc_of(byte_view{came}.first(came.size() - 2)) != byte_list{came.end() - 2, came.end()}) {
+        crc_of(byte_view{came}.first(came.size() - 2)) != line_bytes{came.end() - 2, came.end()}) {
         return false;
     }
     std::byte const function = hex_byte_of(all[1]);
@@ -347,35 +347,35 @@ bool means_exception(std::string_view words, byte_list const& came, known_places
 
 std::vector<std::string_view> steps_of(std::string_view text) { return split(text, " / "); }
 
-byte_list crc_of(byte_view bytes)
+line_bytes crc_of(byte_view bytes)
 {
     unsigned const crc = rtuwire::crc16(bytes);
     return {static_cast<std::byte>(crc & 0xFFU), static_cast<std::byte>(crc >> 8U)};
 }
 
-bool has_right_crc(byte_list const& frame)
+bool has_right_crc(line_bytes const& frame)
 {
     return frame.size() >= 4 and
-           crc_of(byte_view{frame}.first(frame.size() - 2)) == byte_list{frame.end() - 2, frame.end()};
+           crc_of(byte_view{frame}.first(frame.size() - 2)) == line_bytes{frame.end() - 2, frame.end()};
 }
 
-byte_list plain_read(known_places const& where)
+line_bytes plain_read(known_places const& where)
 {
     std::optional<std::uint16_t> const from = where.read_function == std::byte{3} ? where.holding : where.input;
     if (not from) {
         throw unknown_place{"READ"};
     }
-    byte_list frame{std::byte{where.unit}, where.read_function};
+    line_bytes frame{std::byte{where.unit}, where.read_function};
     add_word(frame, *from);
     add_word(frame, 1);
-    byte_list const crc = crc_of(frame);
+    line_bytes const crc = crc_of(frame);
     frame.insert(frame.end(), crc.begin(), crc.end());
     return frame;
 }
 
-byte_list bytes_of(std::vector<sent_piece> const& pieces)
+line_bytes bytes_of(std::vector<sent_piece> const& pieces)
 {
-    byte_list all;
+    line_bytes all;
     for (sent_piece const& each : pieces) {
         all.insert(all.end(), each.bytes.begin(), each.bytes.end());
     }
@@ -391,7 +391,7 @@ std::vector<sent_piece> pieces_of(std::string_view step, known_places const& whe
     return all.pieces();
 }
 
-bool is_allowed(std::string_view answers, byte_list const& came, byte_list const& asked, byte_list const& before,
+bool is_allowed(std::string_view answers, line_bytes const& came, line_bytes const& asked, line_bytes const& before,
                 known_places const& where)
 {
     held_answer answer{came, asked, where};

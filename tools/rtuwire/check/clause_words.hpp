@@ -31,7 +31,7 @@
 
 namespace tool {
 
-using byte_list = std::vector<std::byte>;
+using line_bytes = std::vector<std::byte>;
 
 /// Where the unit has what.
 struct known_places {
@@ -56,7 +56,7 @@ struct unknown_place : std::runtime_error {
 struct sent_piece {
     double characters{0}; ///< the silence in characters
     unsigned ms{0};       ///< or in time
-    byte_list bytes{};
+    line_bytes bytes{};
 };
 
 std::vector<std::string_view> steps_of(std::string_view text);
@@ -65,19 +65,19 @@ std::vector<std::string_view> steps_of(std::string_view text);
 std::vector<sent_piece> pieces_of(std::string_view step, known_places const& where);
 
 /// All bytes of it, without the silences.
-byte_list bytes_of(std::vector<sent_piece> const& pieces);
+line_bytes bytes_of(std::vector<sent_piece> const& pieces);
 
 /// Whether an answer is one of those that a step allows; `before` is the one of the step before it.
-bool is_allowed(std::string_view answers, byte_list const& came, byte_list const& asked, byte_list const& before,
+bool is_allowed(std::string_view answers, line_bytes const& came, line_bytes const& asked, line_bytes const& before,
                 known_places const& where);
 
 /// The plain read.
-byte_list plain_read(known_places const& where);
+line_bytes plain_read(known_places const& where);
 
 /// Two bytes, the low one first.
-byte_list crc_of(rtuwire::byte_view bytes);
+line_bytes crc_of(rtuwire::byte_view bytes);
 
 /// Of a frame of four bytes or more.
-bool has_right_crc(byte_list const& frame);
+bool has_right_crc(line_bytes const& frame);
 
 } // namespace tool

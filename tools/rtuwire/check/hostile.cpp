@@ -13,11 +13,11 @@ namespace tool {
 
 namespace {
 
-using frame_list = std::vector<byte_list>;
+using frame_list = std::vector<line_bytes>;
 
 constexpr std::size_t frames_to_a_read = 100;
 
-std::string in_hex(byte_list const& bytes)
+std::string in_hex(line_bytes const& bytes)
 {
     constexpr std::size_t most = 40;
     return bytes.size() <= most
@@ -25,9 +25,9 @@ std::string in_hex(byte_list const& bytes)
                : hex_of(rtuwire::byte_view{bytes}.first(most)) + " ... (" + std::to_string(bytes.size()) + " bytes)";
 }
 
-byte_list with_crc(byte_list frame)
+line_bytes with_crc(line_bytes frame)
 {
-    byte_list const crc = crc_of(frame);
+    line_bytes const crc = crc_of(frame);
     frame.insert(frame.end(), crc.begin(), crc.end());
     return frame;
 }
@@ -66,7 +66,7 @@ private:
     unsigned drawn(unsigned most) { return std::uniform_int_distribution<unsigned>{0, most}(random_); }
 
     /// With a right CRC, by functions that read or that nobody has.
-    byte_list readable_frame()
+    line_bytes readable_frame()
     {
         constexpr unsigned reading[]{1, 2, 3, 4, 8, 0x2B};
         unsigned code = reading[drawn(5)];
@@ -75,7 +75,7 @@ private:
                 code = drawn(0x7F);
             } while (not is_unknown_function(code));
         }
-        byte_list frame{unit(), static_cast<std::byte>(code)};
+        line_bytes frame{unit(), static_cast<std::byte>(code)};
         bool const is_short = drawn(3) != 0;
         unsigned const size = drawn(is_short ? 8 : 252);
         for (unsigned i = 0; i < size; ++i) {
@@ -87,9 +87,9 @@ private:
         return with_crc(frame);
     }
 
-    byte_list noise()
+    line_bytes noise()
     {
-        byte_list bytes(1 + drawn(299));
+        line_bytes bytes(1 + drawn(299));
         std::ranges::generate(bytes, [this] { return static_cast<std::byte>(drawn(255)); });
         return bytes;
     }
@@ -109,7 +109,7 @@ private:
     {
         frame_list all;
         for (std::size_t const size : {297U, 997U}) {
-            byte_list frame{unit(), std::byte{0x63}};
+            line_bytes frame{unit(), std::byte{0x63}};
             frame.resize(size + 2, std::byte{0x5A});
             all.push_back(with_crc(frame));
         }
@@ -119,7 +119,7 @@ private:
     frame_list cut_reads() const
     {
         frame_list all;
-        byte_list const read = plain_read(unit_.where());
+        line_bytes const read = plain_read(unit_.where());
         for (std::size_t size = 1; size < read.size(); ++size) {
             all.emplace_back(read.begin(), read.begin() + static_cast<std::ptrdiff_t>(size));
         }
@@ -130,7 +130,7 @@ private:
     bool is_alive()
     {
         unit_.line().wait_for_quiet(line_time{60'000});
-        byte_list const read = plain_read(unit_.where());
+        line_bytes const read = plain_read(unit_.where());
         return is_allowed("OK1", unit_.line().ask(read).bytes, read, {}, unit_.where());
     }
 
@@ -145,14 +145,14 @@ private:
         return false;
     }
 
-    void say(std::span<byte_list const> frames)
+    void say(std::span<line_bytes const> frames)
     {
-        for (byte_list const& each : frames) {
+        for (line_bytes const& each : frames) {
             static_cast<void>(unit_.line().ask({sent_piece{.bytes = each}}, unit_.usual_wait()));
         }
     }
 
-    bool breaks(std::span<byte_list const> frames)
+    bool breaks(std::span<line_bytes const> frames)
     {
         say(frames);
         if (is_alive()) {
@@ -195,13 +195,13 @@ private:
     }
 
     /// Takes bytes out as long as the unit is deaf behind what is left.
-    void shorten(byte_list& frame)
+    void shorten(line_bytes& frame)
     {
         bool const had_right_crc = has_right_crc(frame);
         std::size_t const kept_tail = had_right_crc ? 2 : 0, head = had_right_crc ? 2 : 0;
         for (std::size_t part = (frame.size() - kept_tail - head) / 2; part > 0; part /= 2) {
             for (std::size_t at = head; at + part + kept_tail <= frame.size();) {
-                byte_list shorter{frame.begin(), frame.end() - static_cast<std::ptrdiff_t>(kept_tail)};
+                line_bytes shorter{frame.begin(), frame.end() - static_cast<std::ptrdiff_t>(kept_tail)};
                 auto const from = shorter.begin() + static_cast<std::ptrdiff_t>(at);
                 shorter.erase(from, from + static_cast<std::ptrdiff_t>(part));
                 shorter = had_right_crc ? with_crc(shorter) : shorter;
@@ -223,7 +223,8 @@ private:
             frame_list frames;
             for (std::size_t i = 0; i < frames_to_a_read; ++i) {
                 frames.push_back(make());
-                byte_list const came = unit_.line().ask({sent_piece{.bytes = frames.back()}}, unit_.usual_wait()).bytes;
+                line_bytes const came =
+                    unit_.line().ask({sent_piece{.bytes = frames.back()}}, unit_.usual_wait()).bytes;
                 ++count;
                 if (std::string const wrong = flaw_of(came, frames.back(), may_answer); not wrong.empty()) {
                     return {verdict::fails, wrong, {}};
@@ -238,7 +239,7 @@ private:
     }
 
     /// What is neither silence nor an answer in its form; empty where nothing is.
-    std::string flaw_of(byte_list const& came, byte_list const& asked, bool may_answer) const
+    std::string flaw_of(line_bytes const& came, line_bytes const& asked, bool may_answer) const
     {
         if (came.empty()) {
             return {};
@@ -250,7 +251,7 @@ private:
 
     judgement each_alone(frame_list const& frames)
     {
-        for (byte_list const& each : frames) {
+        for (line_bytes const& each : frames) {
             line_answer const answer = unit_.line().ask({sent_piece{.bytes = each}}, unit_.usual_wait());
             bool const may_answer = each.size() >= 4 and each[1] < std::byte{0x80};
             if (std::string const wrong = flaw_of(answer.bytes, each, may_answer); not wrong.empty()) {
@@ -269,13 +270,13 @@ private:
     /// Requests and answers of others without any silence for three seconds.
     judgement babble()
     {
-        byte_list const once = bytes_of(pieces_of("V 03 R 00 01 CRC ; V 03 02 12 34 CRC", unit_.where()));
-        byte_list all;
+        line_bytes const once = bytes_of(pieces_of("V 03 R 00 01 CRC ; V 03 02 12 34 CRC", unit_.where()));
+        line_bytes all;
         std::size_t const by_wire = 3'000'000U / std::max(unit_.line().wire().characters(1).microseconds, 1U);
         while (all.size() < std::min<std::size_t>(by_wire, 30'000)) {
             all.insert(all.end(), once.begin(), once.end());
         }
-        byte_list const came = unit_.line().ask({sent_piece{.bytes = all}}, unit_.usual_wait()).bytes;
+        line_bytes const came = unit_.line().ask({sent_piece{.bytes = all}}, unit_.usual_wait()).bytes;
         if (not came.empty()) {
             return {verdict::fails, in_hex(came) + " came while others talked", {}};
         }

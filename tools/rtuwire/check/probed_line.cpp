@@ -84,7 +84,7 @@ probed_line::probed_line(any_port& port, exchange_log& log, rtuwire::line_timing
 
 line_time probed_line::silence() const { return rtuwire::to_chrono(std::max(wire_.t3_5(), port_.timing().silence())); }
 
-void probed_line::note(bool is_sent, byte_list const& bytes)
+void probed_line::note(bool is_sent, line_bytes const& bytes)
 {
     last_byte_ = clock::now();
     passed_.push_back({last_byte_, is_sent, bytes});
@@ -94,7 +94,7 @@ void probed_line::note(bool is_sent, byte_list const& bytes)
                .is_own = is_sent});
 }
 
-byte_list probed_line::read_until(clock::time_point end)
+line_bytes probed_line::read_until(clock::time_point end)
 {
     std::array<std::byte, 1'024> place;
     line_time const left = std::chrono::duration_cast<line_time>(end - clock::now());
@@ -109,9 +109,9 @@ byte_list probed_line::read_until(clock::time_point end)
 void probed_line::wait_for_quiet(line_time silence)
 {
     auto const give_up = clock::now() + 10 * silence;
-    byte_list dropped;
+    line_bytes dropped;
     for (auto end = clock::now() + silence; clock::now() < end and clock::now() < give_up;) {
-        byte_list const bytes = read_until(end);
+        line_bytes const bytes = read_until(end);
         if (not bytes.empty()) {
             dropped.insert(dropped.end(), bytes.begin(), bytes.end());
             end = clock::now() + silence;
@@ -135,7 +135,7 @@ void probed_line::send(std::vector<sent_piece> const& pieces)
         if (gap > line_time{0}) {
             // An answer to a part of it stands before all that comes later.
             for (auto const end = left + gap - line_time{2'000}; gap > line_time{50'000} and clock::now() < end;) {
-                byte_list const bytes = read_until(end);
+                line_bytes const bytes = read_until(end);
                 early_.insert(early_.end(), bytes.begin(), bytes.end());
             }
             std::this_thread::sleep_until(left + gap);
@@ -162,12 +162,12 @@ line_answer probed_line::ask(std::vector<sent_piece> const& pieces, line_time wa
 {
     std::this_thread::sleep_until(last_byte_ + silence());
     send(pieces);
-    byte_list const asked = bytes_of(pieces);
+    line_bytes const asked = bytes_of(pieces);
     auto const sent = last_byte_;
     auto last = sent;
     line_answer answer;
     for (auto end = sent + wait; clock::now() < end;) {
-        byte_list const bytes = read_until(end);
+        line_bytes const bytes = read_until(end);
         if (bytes.empty()) {
             continue;
         }

@@ -19,13 +19,13 @@ namespace tool {
 struct passed_bytes {
     std::chrono::steady_clock::time_point at; ///< when its last byte had passed
     bool is_sent;
-    byte_list bytes;
+    line_bytes bytes;
 };
 
 using line_time = std::chrono::microseconds;
 
 struct line_answer {
-    byte_list bytes{};
+    line_bytes bytes{};
     line_time took{0};        ///< from the last byte that was sent to the first that came
     line_time largest_gap{0}; ///< between its parts
 };
@@ -42,7 +42,7 @@ public:
     /// Keeps the silence before a frame, sends, and waits for the answer.
     line_answer ask(std::vector<sent_piece> const& pieces) { return ask(pieces, longest_wait_); }
     line_answer ask(std::vector<sent_piece> const& pieces, line_time wait);
-    line_answer ask(byte_list const& frame) { return ask({sent_piece{.bytes = frame}}); }
+    line_answer ask(line_bytes const& frame) { return ask({sent_piece{.bytes = frame}}); }
 
     /// Drops what comes until nothing came for so long; at most ten times as long. A whole frame behind a request that got no
     /// answer is a late one.
@@ -58,7 +58,7 @@ public:
     [[nodiscard]] line_time silence() const;
 
     /// The first answer that came behind the wait for it; empty where none did.
-    [[nodiscard]] byte_list const& late_answer() const { return late_answer_; }
+    [[nodiscard]] line_bytes const& late_answer() const { return late_answer_; }
 
     /// What passed since the last call.
     std::vector<passed_bytes> take_passed() { return std::exchange(passed_, {}); }
@@ -68,8 +68,8 @@ private:
 
     void send(std::vector<sent_piece> const& pieces);
     /// What comes until then; empty where nothing does.
-    byte_list read_until(clock::time_point end);
-    void note(bool is_sent, byte_list const& bytes);
+    line_bytes read_until(clock::time_point end);
+    void note(bool is_sent, line_bytes const& bytes);
 
     any_port& port_;
     exchange_log& log_;
@@ -79,9 +79,9 @@ private:
     std::vector<passed_bytes> passed_{};
     clock::time_point last_byte_{clock::now()}; ///< that passed
     bool has_kept_silences_{true};
-    byte_list early_{};         ///< what came inside of that request
+    line_bytes early_{};        ///< what came inside of that request
     bool is_unanswered_{false}; ///< the request that went last
-    byte_list late_answer_{};
+    line_bytes late_answer_{};
 };
 
 } // namespace tool

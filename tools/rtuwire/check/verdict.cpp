@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t shown_bytes = 40;
 constexpr std::string_view listen_only{"D12"};
 
-std::string shown(byte_list const& bytes)
+std::string shown(line_bytes const& bytes)
 {
     if (bytes.empty()) {
         return "nothing";
@@ -36,7 +36,7 @@ std::string ms_text(line_time time)
     return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " ms";
 }
 
-std::vector<sent_piece> as_piece(byte_list const& frame) { return {sent_piece{.bytes = frame}}; }
+std::vector<sent_piece> as_piece(line_bytes const& frame) { return {sent_piece{.bytes = frame}}; }
 
 /// What clauses say that are more than steps.
 class procedures {
@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    byte_list say(std::string_view words) { return unit_.ask(words, which_.id).bytes; }
+    line_bytes say(std::string_view words) { return unit_.ask(words, which_.id).bytes; }
 
     bool is_read_answered() { return is_allowed("OK1", say("READ"), plain_read(unit_.where()), {}, unit_.where()); }
 
@@ -75,8 +75,8 @@ private:
         bool const has_two = unit_.where().readable >= 2 and unit_.where().read_function == std::byte{3};
         for (unsigned i = 0; i < 20; ++i) {
             bool const asks_two = has_two and i % 2 == 1;
-            byte_list const asked = bytes_of(pieces_of(asks_two ? "U 03 R 00 02 CRC" : "READ", unit_.where()));
-            byte_list const came = unit_.ask(as_piece(asked), which_.id).bytes;
+            line_bytes const asked = bytes_of(pieces_of(asks_two ? "U 03 R 00 02 CRC" : "READ", unit_.where()));
+            line_bytes const came = unit_.ask(as_piece(asked), which_.id).bytes;
             if (not is_allowed(asks_two ? "OK2" : "OK1", came, asked, {}, unit_.where())) {
                 return fails("request " + std::to_string(i + 1) + " of 20: " + shown(came) + " came to " +
                              shown(asked));
@@ -87,7 +87,7 @@ private:
 
     judgement gaps()
     {
-        byte_list const asked = bytes_of(pieces_of("U 03 R 00 B(RN) CRC", unit_.where()));
+        line_bytes const asked = bytes_of(pieces_of("U 03 R 00 B(RN) CRC", unit_.where()));
         line_time largest{0};
         for (unsigned i = 0; i < 10; ++i) {
             largest = std::max(largest, unit_.ask(as_piece(asked), which_.id).largest_gap);
@@ -102,7 +102,7 @@ private:
     judgement all_answers()
     {
         for (auto const& [asked, answer, id] : unit_.exchanges()) {
-            byte_list const& came = answer.bytes;
+            line_bytes const& came = answer.bytes;
             bool const is_refusal =
                 came.size() > 1 and (came[1] >= std::byte{0x80} or (came.size() == 5 and came[1] == asked[1]));
             // The lengths of identifications are of another clause, too.
@@ -122,7 +122,7 @@ private:
     template <typename Fits> judgement each_exception(Fits fits)
     {
         for (auto const& [asked, answer, id] : unit_.exchanges()) {
-            byte_list const& came = answer.bytes;
+            line_bytes const& came = answer.bytes;
             if (is_refusal(came, asked) and not fits(came, came[1] >= std::byte{0x80})) {
                 return fails("clause " + std::string{id} + ": " + shown(came) + " came to " + shown(asked));
             }
@@ -132,14 +132,14 @@ private:
 
     judgement exception_form()
     {
-        return each_exception([](byte_list const& came, bool has_high_bit) {
+        return each_exception([](line_bytes const& came, bool has_high_bit) {
             return has_high_bit and came.size() == 5 and has_right_crc(came);
         });
     }
 
     judgement exception_code()
     {
-        return each_exception([](byte_list const& came, bool) {
+        return each_exception([](line_bytes const& came, bool) {
             constexpr unsigned listed[]{1, 2, 3, 4, 5, 6, 8, 0x0A, 0x0B};
             return came.size() < 5 or std::ranges::count(listed, std::to_integer<unsigned>(came[2])) > 0;
         });
@@ -152,7 +152,7 @@ private:
             has[asked[1]] = has[asked[1]] or (answer.bytes.size() > 1 and answer.bytes[1] == asked[1]);
         }
         for (auto const& [asked, answer, id] : unit_.exchanges()) {
-            byte_list const& came = answer.bytes;
+            line_bytes const& came = answer.bytes;
             bool const may_mean_a_part = asked[1] == std::byte{8} or asked[1] == std::byte{43};
             if (has[asked[1]] and not may_mean_a_part and came.size() == 5 and
                 came[1] == (asked[1] | std::byte{0x80}) and came[2] == std::byte{1}) {
@@ -164,16 +164,16 @@ private:
     }
 
     /// All answers to a code of function 43/14, as long as more follows.
-    std::vector<byte_list> pages_of(unsigned code, std::string* why = nullptr)
+    std::vector<line_bytes> pages_of(unsigned code, std::string* why = nullptr)
     {
-        std::vector<byte_list> pages;
+        std::vector<line_bytes> pages;
         std::byte object{0};
         for (unsigned i = 0; i < 128; ++i) {
-            byte_list asked{std::byte{unit_.where().unit}, std::byte{0x2B}, std::byte{0x0E},
-                            static_cast<std::byte>(code), object};
-            byte_list const crc = crc_of(asked);
+            line_bytes asked{std::byte{unit_.where().unit}, std::byte{0x2B}, std::byte{0x0E},
+                             static_cast<std::byte>(code), object};
+            line_bytes const crc = crc_of(asked);
             asked.insert(asked.end(), crc.begin(), crc.end());
-            byte_list const came = unit_.ask(as_piece(asked), which_.id).bytes;
+            line_bytes const came = unit_.ask(as_piece(asked), which_.id).bytes;
             if (not is_allowed("IDENT", came, asked, {}, unit_.where())) {
                 if (why != nullptr and (came.size() < 2 or came[1] == std::byte{0x2B})) {
                     *why = shown(came) + " came to " + shown(asked);
@@ -192,7 +192,7 @@ private:
         return pages;
     }
 
-    template <typename Action> static void each_object(byte_list const& page, Action&& action)
+    template <typename Action> static void each_object(line_bytes const& page, Action&& action)
     {
         std::size_t at = 8;
         for (std::size_t left = std::to_integer<std::size_t>(page[7]); left > 0; --left) {
@@ -206,7 +206,7 @@ private:
     {
         std::map<unsigned, unsigned> count;
         std::string wrong;
-        for (byte_list const& each : pages_of(1, &wrong)) {
+        for (line_bytes const& each : pages_of(1, &wrong)) {
             each_object(each, [&](unsigned object, rtuwire::byte_view) { ++count[object]; });
         }
         if (not wrong.empty()) {
@@ -237,7 +237,7 @@ private:
         for (unsigned const code : {1U, 2U, 3U}) {
             std::string wrong;
             int highest = -1;
-            for (byte_list const& each : pages_of(code, &wrong)) {
+            for (line_bytes const& each : pages_of(code, &wrong)) {
                 each_object(each, [&](unsigned object, rtuwire::byte_view) {
                     highest = std::max(highest, static_cast<int>(object));
                 });
@@ -258,7 +258,7 @@ private:
     judgement last_page()
     {
         for (unsigned const code : {1U, 2U, 3U}) {
-            for (byte_list const& each : pages_of(code)) {
+            for (line_bytes const& each : pages_of(code)) {
                 if (each[5] == std::byte{0} and each[6] != std::byte{0}) {
                     return fails("no more follows, and the next object is not 00: " + shown(each));
                 }
@@ -271,7 +271,7 @@ private:
     {
         constexpr unsigned levels[]{0x01, 0x02, 0x03, 0x81, 0x82, 0x83};
         for (unsigned const code : {1U, 2U, 3U, 4U}) {
-            for (byte_list const& each : pages_of(code)) {
+            for (line_bytes const& each : pages_of(code)) {
                 if (std::ranges::count(levels, std::to_integer<unsigned>(each[4])) == 0) {
                     return fails("conformity " + hex_of(rtuwire::byte_view{each}.subspan(4, 1)) + ": " + shown(each));
                 }
@@ -284,7 +284,7 @@ private:
     {
         std::optional<std::byte> first;
         for (unsigned const code : {1U, 2U, 3U}) {
-            for (byte_list const& each : pages_of(code)) {
+            for (line_bytes const& each : pages_of(code)) {
                 first = first.value_or(each[4]);
                 unsigned const level = std::to_integer<unsigned>(each[4]) & 0x7FU;
                 unsigned highest = 0;
@@ -301,7 +301,7 @@ private:
 
     judgement characters()
     {
-        for (byte_list const& each : pages_of(2)) {
+        for (line_bytes const& each : pages_of(2)) {
             bool is_ascii = true;
             each_object(each, [&](unsigned object, rtuwire::byte_view text) {
                 is_ascii = is_ascii and (object > 6 or std::ranges::all_of(text, [](std::byte one) {
@@ -318,12 +318,12 @@ private:
     /// By how much a counter rises while `steps` are said; its second question counts, too.
     judgement count(unsigned subfunction, std::initializer_list<std::string_view> steps, unsigned due)
     {
-        byte_list asked{std::byte{unit_.where().unit},       std::byte{8}, std::byte{0},
-                        static_cast<std::byte>(subfunction), std::byte{0}, std::byte{0}};
-        byte_list const crc = crc_of(asked);
+        line_bytes asked{std::byte{unit_.where().unit},       std::byte{8}, std::byte{0},
+                         static_cast<std::byte>(subfunction), std::byte{0}, std::byte{0}};
+        line_bytes const crc = crc_of(asked);
         asked.insert(asked.end(), crc.begin(), crc.end());
         auto const counter = [&]() -> std::optional<unsigned> {
-            byte_list const came = unit_.ask(as_piece(asked), which_.id).bytes;
+            line_bytes const came = unit_.ask(as_piece(asked), which_.id).bytes;
             bool const is_one = came.size() == 8 and has_right_crc(came) and came[1] == std::byte{8};
             return is_one ? std::optional{std::to_integer<unsigned>(came[4]) << 8U | std::to_integer<unsigned>(came[5])}
                           : std::nullopt;
@@ -347,7 +347,7 @@ private:
     judgement exceptions()
     {
         for (std::string_view const each : {"U 03 R 00 00 CRC", "U 03 FF FF 00 02 CRC"}) {
-            byte_list const came = say(each);
+            line_bytes const came = say(each);
             if (not is_refusal(came, bytes_of(pieces_of(each, unit_.where())))) {
                 return {verdict::does_not_apply, "one of its two requests is not refused by an exception", {}};
             }
@@ -401,7 +401,7 @@ private:
 
     judgement late_answers()
     {
-        byte_list const& late = unit_.line().late_answer();
+        line_bytes const& late = unit_.line().late_answer();
         return late.empty() ? judgement{} : fails(shown(late) + " came behind the time-out of its request (--timeout)");
     }
 
@@ -410,7 +410,7 @@ private:
 };
 
 /// What a wrong answer says of the unit where it is no fault: it has a function that nobody should have, or lacks one.
-std::string why_none(clause const& which, std::size_t step, byte_list const& came, byte_list const& asked)
+std::string why_none(clause const& which, std::size_t step, line_bytes const& came, line_bytes const& asked)
 {
     bool const is_answer = has_right_crc(came) and came.size() > 3 and came[0] == asked[0];
     if (which.needs == "unknown" and is_answer and came[1] == asked[1] and not is_refusal(came, asked)) {
@@ -424,11 +424,11 @@ std::string why_none(clause const& which, std::size_t step, byte_list const& cam
 judgement steps_judged(checked_unit& unit, clause const& which)
 {
     std::vector<std::string_view> const sends = steps_of(which.sends), comes = steps_of(which.comes);
-    byte_list before;
+    line_bytes before;
     for (std::size_t i = 0; i < sends.size(); ++i) {
         std::vector<sent_piece> const pieces = pieces_of(sends[i], unit.where());
-        byte_list const asked = bytes_of(pieces);
-        byte_list const came = unit.ask(pieces, which.id).bytes;
+        line_bytes const asked = bytes_of(pieces);
+        line_bytes const came = unit.ask(pieces, which.id).bytes;
         if (not is_allowed(comes[i], came, asked, before, unit.where())) {
             if (not unit.line().has_kept_silences()) {
                 return {verdict::not_tried, "this machine did not keep the silences inside of the frame", {}};
