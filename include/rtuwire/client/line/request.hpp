@@ -240,7 +240,7 @@ public:
     [[nodiscard]] constexpr bool has_response() const noexcept { return has_response_; }
 
 private:
-    bool has_response_{false};
+    bool has_response_{}; ///< said with each request
 };
 template <> class address_0<false> {
 public:
