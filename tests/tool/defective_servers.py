@@ -3,7 +3,7 @@
 """What `check` says of servers with one defect each, and which clauses each breaks: nearly all written from the clauses' texts
 alone, before the code that checks was read. All are checked at once: nearly all of that time is waiting.
 
-    python3 defective_servers.py TOOL [WORD OF A SERVER'S NAME]
+    python3 defective_servers.py TOOL [WORD OF A SERVER'S NAME | N: every Nth]
 """
 import heapq
 import itertools
@@ -89,7 +89,7 @@ class Server:
     musts = shoulds = ""
     unasked = ""  # clauses that cannot be asked then
     words = ()  # more words of the command
-    timeout, is_read_only = 0.15, False
+    timeout, is_read_only = 0.5, False
     told = ""  # behind all verdicts
     ends = False  # it does not answer any more behind the last must that it breaks
 
@@ -1388,7 +1388,8 @@ def ended(tool, kinds):
 
 
 def main(check, program, wanted=""):
-    kinds = [kind for kind in [Server, *Server.__subclasses__()] if wanted in kind.__name__]
+    kinds = [Server, *Server.__subclasses__()]
+    kinds = kinds[::int(wanted)] if wanted.isdigit() else [kind for kind in kinds if wanted in kind.__name__]
     began = time.monotonic()
     with Tool(program) as tool:
         found = dict(zip(kinds, ended(tool, kinds)))
