@@ -10,7 +10,7 @@ import time
 
 from defective_servers import SCRATCH, SCRATCH_COILS, UNIT, Server
 from defective_servers import Line as ServedLine
-from support import DIFFERS, DONE, REFUSED, USAGE, Simulator, Tool, runs, soon
+from support import DIFFERS, DONE, REFUSED, USAGE, Simulator, Tool, crc, runs, soon
 
 from simulator import Registers, asked, pymodbus_on  # noqa: I100
 
@@ -60,6 +60,68 @@ def check_drive(check, tool_path):
         check("30.0 Hz" in ended.output, "the motor runs on", ended)
 
 
+METER = """
+[device]
+vendor = "Maker"
+product = "Meter"
+[[register]]
+name = "voltage"
+space = "input"
+address = 10
+type = "f32"
+simulated = 230.1
+"""
+
+
+def check_meters(check, tool_path):
+    """What has no holding register is checked by its input registers; what has neither is told so."""
+    with Tool(tool_path) as tool:
+        (tool.place / "meter.toml").write_text(METER)
+        (tool.place / "coils.toml").write_text(METER.replace("input", "coil").replace('type = "f32"\nsimulated = 230.1', ""))
+        how = [*QUICK, "-u", 61, "--json", "check", "--only", "L01,L02,L07,F04,X01,H02", "--hostile", 1]
+        ended = tool.run(*how, port="sim:meter.toml:61")
+        check(ended.status == DIFFERS and "--readable" in ended.errors and not ended.output, "none of the usual is there", ended)
+        ended = tool.run(*how, "--readable", 10, port="sim:meter.toml:61")
+        verdicts = {row["clause"]: row["verdict"] for row in ended.objects()}
+        check(ended.status == DONE, "a meter keeps its musts", ended)
+        check(verdicts.get("L01") == verdicts.get("F04.2") == verdicts.get("X01") == "holds", "and is asked by function 04", verdicts)
+        ended = tool.run(*how, port="sim:coils.toml:61")
+        check(ended.status == DIFFERS and "no register was found" in ended.errors, "coils alone", ended)
+
+
+def check_noise(check, tool_path):
+    """No run of the bytes of random frames is a write, to whatever unit, with a right CRC and the size of its function."""
+    class Listener(Server):
+        heard = ()
+
+        def hear(self, data):
+            self.heard = (*self.heard, bytes(data))
+            super().hear(data)
+
+    line, is_over = ServedLine([Listener]), threading.Event()
+    threading.Thread(target=line.run_until, args=(is_over.is_set,), daemon=True).start()
+    unit = line.servers[0]
+    with Tool(tool_path) as tool:
+        ended = tool.run(*QUICK, "-u", UNIT, "check", "--only", "H01,H02", "--hostile", 4, port=unit.name)
+    is_over.set()
+    writes = [piece[at:at + size] for piece in unit.heard for at in range(len(piece) - 3)
+              if (size := size_of_write(piece[at:])) and crc(piece[at:at + size]) == 0]
+    check(ended.status == DONE and len(unit.heard) > 300, "random frames were sent", (ended, len(unit.heard)))
+    check(not writes and not [each for each in unit.heard if crc(each) == 0 and each[1] == 0x2B and len(each) > 4 and each[2] != 0x0E],
+          "none of them writes, nor asks by another kind of 43", writes)
+
+
+def size_of_write(data):
+    """Of a request that writes and begins there; 0 where none does."""
+    function = data[1]
+    size = {5: 8, 6: 8, 22: 10}.get(function, 0)
+    if function in (15, 16) and len(data) > 6:
+        size = 9 + data[6]
+    if function == 23 and len(data) > 10:
+        size = 13 + data[10]
+    return size if 0 < size <= len(data) else 0
+
+
 def check_changes(check, tool_path):
     """What may be changed is put back, whatever ends the command."""
     with Tool(tool_path) as tool:
@@ -91,6 +153,8 @@ def check_changes(check, tool_path):
 
 def main(check, tool_path):
     check_drive(check, tool_path)
+    check_meters(check, tool_path)
+    check_noise(check, tool_path)
     check_changes(check, tool_path)
 
 

@@ -343,7 +343,7 @@ void add_check(CLI::App& app, choices& chosen)
     check.add_flag("--list", chosen.check.lists, "the clauses, and what fails without them");
     check.add_option("--explain", chosen.check.explained, "what a clause sends, and what may come");
     check.add_option("--readable", chosen.check.readable,
-                     "a holding register that can be read, where none of the usual is there");
+                     "a holding or input register that can be read, where none of the usual is there");
     check.add_option("--scratch", chosen.check.scratch,
                      "8 to 100 registers that may be changed, such as 100-107; they are put back (--write)");
     check.add_option("--scratch-coils", chosen.check.scratch_coils,

@@ -20,13 +20,6 @@ constexpr std::uint16_t first_scratch_word = 0x5A00;
 std::byte low(unsigned value) { return static_cast<std::byte>(value & 0xFFU); }
 std::byte high(unsigned value) { return static_cast<std::byte>(value >> 8U & 0xFFU); }
 
-line_bytes framed(line_bytes frame)
-{
-    line_bytes const crc = crc_of(frame);
-    frame.insert(frame.end(), crc.begin(), crc.end());
-    return frame;
-}
-
 /// A normal answer to a frame with that function.
 bool is_normal(line_bytes const& came, line_bytes const& asked)
 {
@@ -67,6 +60,28 @@ std::pair<std::uint16_t, unsigned> range_in(std::string const& word, std::string
 }
 
 } // namespace
+
+scratch_places scratch_in(check_choices const& how)
+{
+    scratch_places all;
+    if (not how.scratch.empty()) {
+        auto const [first, count] = range_in(how.scratch, "--scratch");
+        if (count < 8 or count > 100) {
+            refuse_word("--scratch " + how.scratch + ": " + std::to_string(count) +
+                        (count == 1 ? " register" : " registers") + "; the clauses need 8 to 100");
+        }
+        all.first = first;
+        all.count = count;
+    }
+    if (not how.scratch_coils.empty()) {
+        auto const [first, count] = range_in(how.scratch_coils, "--scratch-coils");
+        if (count != 16) {
+            refuse_word("--scratch-coils " + how.scratch_coils + ": the clauses need 16 of them");
+        }
+        all.first_coil = first;
+    }
+    return all;
+}
 
 line_answer checked_unit::ask(std::vector<sent_piece> const& pieces, std::string_view clause)
 {
@@ -217,102 +232,104 @@ void checked_unit::find_other()
     constexpr std::uint8_t candidates[]{247, 246, 199, 133};
     for (std::uint8_t const each : candidates) {
         where_.other = each;
-        if (each != where_.unit and line_.ask(pieces_of("V 03 R 00 01 CRC", where_)).bytes.empty()) {
+        line_bytes read = plain_read(where_);
+        read.front() = std::byte{each};
+        read.resize(read.size() - 2);
+        if (each != where_.unit and line_.ask(framed(read)).bytes.empty()) {
             return;
         }
     }
     where_.other = where_.unit == 247 ? 246 : 247; // it answers for all: a clause says so
 }
 
-void checked_unit::find_scratch()
+/// The data of a read of the scratch places; ends the command where there are none.
+line_bytes checked_unit::scratch_data(unsigned function, std::uint16_t first, unsigned count, std::size_t size,
+                                      std::string const& option)
 {
-    if (not how_.scratch.empty()) {
-        auto const [first, count] = range_in(how_.scratch, "--scratch");
-        if (count < 8 or count > 100) {
-            refuse_word("--scratch " + how_.scratch + ": " + std::to_string(count) +
-                        (count == 1 ? " register" : " registers") + "; the clauses need 8 to 100");
-        }
-        where_.scratch = first;
-        where_.scratch_count = count;
-        line_bytes const asked =
-            framed({std::byte{where_.unit}, std::byte{3}, high(first), low(first), std::byte{0}, low(count)});
-        line_bytes const came = line_.ask(asked).bytes;
-        if (not is_normal(came, asked) or came.size() != 5 + 2 * count) {
-            throw ended{exit_status::differs, "--scratch " + how_.scratch + ": unit " + std::to_string(where_.unit) +
-                                                  " does not read them by function 03 (" +
-                                                  (came.empty() ? "no response" : hex_of(came)) +
-                                                  "); nothing was written"};
-        }
-        for (std::size_t i = 3; i + 2 < came.size(); i += 2) {
-            words_before_.push_back(static_cast<std::uint16_t>(std::to_integer<unsigned>(came[i]) << 8U |
-                                                               std::to_integer<unsigned>(came[i + 1])));
-        }
-        // Each writing function writes what stands there.
-        line_bytes sixteen{std::byte{where_.unit}, std::byte{0x10}, high(first),   low(first),
-                           std::byte{0},           low(count),      low(2 * count)};
-        sixteen.insert(sixteen.end(), came.begin() + 3, came.end() - 2);
-        line_bytes const writes[]{
-            framed(sixteen), framed({std::byte{where_.unit}, std::byte{6}, high(first), low(first), came[3], came[4]}),
-            framed({std::byte{where_.unit}, std::byte{0x16}, high(first), low(first), std::byte{0xFF}, std::byte{0xFF},
-                    std::byte{0}, std::byte{0}}),
-            framed({std::byte{where_.unit}, std::byte{0x17}, high(first), low(first), std::byte{0}, std::byte{1},
-                    high(first), low(first), std::byte{0}, std::byte{1}, std::byte{2}, came[3], came[4]})};
-        for (line_bytes const& each : writes) {
-            line_bytes const answer = ask_from_known({sent_piece{.bytes = each}});
-            if (not answer.empty() and not is_exception(answer, 1)) {
-                functions_.insert(std::to_integer<unsigned>(each[1]));
-            }
-        }
-        auto const behind = static_cast<std::uint16_t>(first + count);
-        is_end_known_ = first + count <= 0xFFFFU and is_missing(3, behind);
+    line_bytes const asked =
+        framed({std::byte{where_.unit}, low(function), high(first), low(first), std::byte{0}, low(count)});
+    line_bytes const came = line_.ask(asked).bytes;
+    if (not is_normal(came, asked) or came.size() != 5 + size) {
+        throw ended{exit_status::differs, option + ": unit " + std::to_string(where_.unit) +
+                                              " does not read them by function 0" + std::to_string(function) + " (" +
+                                              (came.empty() ? "no response" : hex_of(came)) + "); nothing was written"};
     }
-    if (not how_.scratch_coils.empty()) {
-        auto const [first, count] = range_in(how_.scratch_coils, "--scratch-coils");
-        if (count != 16) {
-            refuse_word("--scratch-coils " + how_.scratch_coils + ": the clauses need 16 of them");
-        }
-        where_.scratch_coil = first;
-        line_bytes const asked =
-            framed({std::byte{where_.unit}, std::byte{1}, high(first), low(first), std::byte{0}, std::byte{16}});
-        line_bytes const came = line_.ask(asked).bytes;
-        if (not is_normal(came, asked) or came.size() != 7) {
-            throw ended{exit_status::differs, "--scratch-coils " + how_.scratch_coils + ": unit " +
-                                                  std::to_string(where_.unit) + " does not read them by function 01 (" +
-                                                  (came.empty() ? "no response" : hex_of(came)) +
-                                                  "); nothing was written"};
-        }
-        coils_before_ =
-            static_cast<std::uint16_t>(std::to_integer<unsigned>(came[4]) << 8U | std::to_integer<unsigned>(came[3]));
-        line_bytes const writes[]{
-            framed({std::byte{where_.unit}, std::byte{0x0F}, high(first), low(first), std::byte{0}, std::byte{16},
-                    std::byte{2}, came[3], came[4]}),
-            framed({std::byte{where_.unit}, std::byte{5}, high(first), low(first),
-                    (came[3] & std::byte{1}) == std::byte{1} ? std::byte{0xFF} : std::byte{0}, std::byte{0}})};
-        for (line_bytes const& each : writes) {
-            line_bytes const answer = ask_from_known({sent_piece{.bytes = each}});
-            if (not answer.empty() and not is_exception(answer, 1)) {
-                functions_.insert(std::to_integer<unsigned>(each[1]));
-            }
+    return {came.begin() + 3, came.end() - 2};
+}
+
+/// Each writes what stands there.
+void checked_unit::find_writing(std::span<line_bytes const> pdus)
+{
+    for (line_bytes const& each : pdus) {
+        line_bytes frame{std::byte{where_.unit}};
+        frame.insert(frame.end(), each.begin(), each.end());
+        line_bytes const answer = ask_from_known({sent_piece{.bytes = framed(frame)}});
+        if (not answer.empty() and not is_exception(answer, 1)) {
+            functions_.insert(std::to_integer<unsigned>(each[0]));
         }
     }
 }
 
-bool checked_unit::discover(std::span<clause const* const> wanted)
+/// All of it is read before any of it is written.
+void checked_unit::find_scratch(scratch_places const& places)
+{
+    line_bytes words, bits;
+    if (places.first) {
+        words = scratch_data(3, *places.first, places.count, 2 * places.count, "--scratch " + how_.scratch);
+    }
+    if (places.first_coil) {
+        bits = scratch_data(1, *places.first_coil, 16, 2, "--scratch-coils " + how_.scratch_coils);
+    }
+    where_.scratch = places.first;
+    where_.scratch_count = places.count;
+    where_.scratch_coil = places.first_coil;
+    if (places.first) {
+        for (std::size_t i = 0; i < words.size(); i += 2) {
+            words_before_.push_back(static_cast<std::uint16_t>(std::to_integer<unsigned>(words[i]) << 8U |
+                                                               std::to_integer<unsigned>(words[i + 1])));
+        }
+        std::byte const to_high = high(*places.first), to_low = low(*places.first), none{0}, all{0xFF};
+        line_bytes sixteen{std::byte{0x10}, to_high, to_low, none, low(places.count), low(2 * places.count)};
+        sixteen.insert(sixteen.end(), words.begin(), words.end());
+        line_bytes const pdus[]{sixteen,
+                                {std::byte{6}, to_high, to_low, words[0], words[1]},
+                                {std::byte{0x16}, to_high, to_low, all, all, none, none},
+                                {std::byte{0x17}, to_high, to_low, none, std::byte{1}, to_high, to_low, none,
+                                 std::byte{1}, std::byte{2}, words[0], words[1]}};
+        find_writing(pdus);
+        unsigned const behind = *places.first + places.count;
+        is_end_known_ = behind <= 0xFFFFU and is_missing(3, static_cast<std::uint16_t>(behind));
+    }
+    if (places.first_coil) {
+        coils_before_ =
+            static_cast<std::uint16_t>(std::to_integer<unsigned>(bits[1]) << 8U | std::to_integer<unsigned>(bits[0]));
+        std::byte const to_high = high(*places.first_coil), to_low = low(*places.first_coil), none{0};
+        bool const is_on = (*coils_before_ & 1U) != 0;
+        line_bytes const pdus[]{{std::byte{0x0F}, to_high, to_low, none, std::byte{16}, std::byte{2}, bits[0], bits[1]},
+                                {std::byte{5}, to_high, to_low, is_on ? std::byte{0xFF} : none, none}};
+        find_writing(pdus);
+    }
+}
+
+bool checked_unit::discover(std::span<clause const* const> wanted, scratch_places const& scratch)
 {
     auto const is_needed = [wanted](std::string_view place) {
         return std::ranges::any_of(wanted,
                                    [place](clause const* each) { return each->needs.find(place) != each->needs.npos; });
     };
     line_.wait_for_quiet(known_silence);
-    if (how_.readable) {
-        where_.holding = is_there(3, *how_.readable) ? how_.readable : std::nullopt;
-        if (where_.holding) {
-            functions_.insert(3);
+    auto const place_of = [this](unsigned function) {
+        if (not how_.readable) {
+            return first_readable(function);
         }
-    } else {
-        where_.holding = first_readable(3);
-    }
-    where_.input = first_readable(4);
+        bool const is_one = is_there(function, *how_.readable);
+        if (is_one) {
+            functions_.insert(function);
+        }
+        return is_one ? how_.readable : first_readable(function);
+    };
+    where_.holding = place_of(3);
+    where_.input = place_of(4);
     where_.coil = first_readable(1);
     where_.discrete = first_readable(2);
     if (not where_.holding and where_.input) {
@@ -326,6 +343,11 @@ bool checked_unit::discover(std::span<clause const* const> wanted)
     if (functions_.empty()) {
         return false;
     }
+    if (not where_.holding and not where_.input) {
+        throw ended{exit_status::differs, "unit " + std::to_string(where_.unit) +
+                                              ": no register was found that can be read, and each clause begins with a "
+                                              "read that is answered; --readable names one"};
+    }
     find_other();
     find_functions();
     find_crc_place();
@@ -335,35 +357,39 @@ bool checked_unit::discover(std::span<clause const* const> wanted)
     if (where_.coil and is_needed("XC")) {
         where_.behind_coil = first_missing(1, *where_.coil);
     }
-    find_scratch();
+    find_scratch(scratch);
     return true;
 }
 
-std::string checked_unit::why_missing(std::string_view need) const
+std::optional<obstacle> checked_unit::obstacle_of(std::string_view need) const
 {
+    using found = std::optional<obstacle>;
     auto const known = [](bool is_there, std::string_view what) {
-        return is_there ? std::string{} : std::string{what};
+        return is_there ? found{} : found{{true, std::string{what}}};
+    };
+    auto const allowed = [](bool is_so, std::string_view what) {
+        return is_so ? found{} : found{{false, std::string{what}}};
     };
     line_bytes const read = where_.holding or where_.input ? plain_read(where_) : line_bytes(8);
     if (need == "R") {
-        return known(where_.holding.has_value(),
-                     "no holding register was found that can be read; --readable names one");
+        // A clause that names a holding register itself does not apply without one.
+        return allowed(where_.holding or where_.input, "no register was found that can be read; --readable names one");
     }
     if (need == "scratch") {
-        return known(where_.scratch.has_value() or where_.scratch_coil.has_value(),
-                     "it writes: --scratch names registers that may be changed");
+        return allowed(where_.scratch.has_value() or where_.scratch_coil.has_value(),
+                       "it writes: --scratch names registers that may be changed");
     }
     if (need == "alone") {
-        return known(how_.is_alone, "it writes to another address: --alone says that nobody else is on the line");
+        return allowed(how_.is_alone, "it writes to another address: --alone says that nobody else is on the line");
     }
     if (need == "disruptive") {
-        return known(how_.may_disrupt, "it may disturb the unit: --disruptive allows it");
+        return allowed(how_.may_disrupt, "it may disturb the unit: --disruptive allows it");
     }
     if (need == "hostile") {
-        return known(how_.hostile > 0, "it sends what no client would: --hostile allows it");
+        return allowed(how_.hostile > 0, "it sends what no client would: --hostile allows it");
     }
     if (need == "wire") {
-        return known(line_.has_wire(), "this port has no wire whose silences are known");
+        return allowed(line_.has_wire(), "this port has no wire whose silences are known");
     }
     if (need == "two") {
         return known(where_.readable >= 2, "no two registers can be read together");
@@ -408,32 +434,41 @@ std::string checked_unit::why_missing(std::string_view need) const
     constexpr unsigned words[]{0x06, 0x10, 0x16, 0x17}, coils[]{0x05, 0x0F};
     bool const is_unknown = (std::ranges::count(words, number) > 0 and not where_.scratch) or
                             (std::ranges::count(coils, number) > 0 and not where_.scratch_coil);
-    return is_unknown ? "whether the unit has function " + std::to_string(number) +
-                            " is looked for in what --scratch or --scratch-coils names"
-                      : "the unit does not have function " + std::to_string(number);
+    return is_unknown ? found{{false, "whether the unit has function " + std::to_string(number) +
+                                          " is looked for in what --scratch or --scratch-coils names"}}
+                      : found{{true, "the unit does not have function " + std::to_string(number)}};
 }
 
-std::string checked_unit::why_not_asked(clause const& which) const
+std::optional<obstacle> checked_unit::why_not_asked(clause const& which) const
 {
     std::string_view rest = which.needs;
     while (not rest.empty()) {
         std::size_t const end = std::min(rest.find(' '), rest.size());
-        if (std::string why = why_missing(rest.substr(0, end)); not why.empty()) {
+        if (auto const why = obstacle_of(rest.substr(0, end))) {
             return why;
         }
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
-    return which.state == clause_state::words and not where_.scratch
-               ? "it writes: --scratch names registers that may be changed"
-           : which.state == clause_state::coils and not where_.scratch_coil
-               ? "it writes: --scratch-coils names 16 coils that may be changed"
-               : std::string{};
+    if (which.state == clause_state::words and not where_.scratch) {
+        return obstacle{false, "it writes: --scratch names registers that may be changed"};
+    }
+    if (which.state == clause_state::coils and not where_.scratch_coil) {
+        return obstacle{false, "it writes: --scratch-coils names 16 coils that may be changed"};
+    }
+    return std::nullopt;
 }
 
-bool checked_unit::is_not_applicable(clause const& which) const
+bool checked_unit::holds_words(std::vector<std::uint16_t> const& values)
 {
-    std::string const why = why_not_asked(which);
-    return not why.empty() and why.find("--") == why.npos and why.find("wire") == why.npos;
+    std::uint16_t const first = *where_.scratch;
+    line_bytes const asked = framed({std::byte{where_.unit}, std::byte{3}, high(first), low(first), std::byte{0},
+                                     low(static_cast<unsigned>(values.size()))});
+    line_bytes due{asked[0], asked[1], low(static_cast<unsigned>(2 * values.size()))};
+    for (std::uint16_t const each : values) {
+        due.push_back(high(each));
+        due.push_back(low(each));
+    }
+    return line_.ask(asked).bytes == framed(due);
 }
 
 bool checked_unit::write_words(std::vector<std::uint16_t> const& values)
@@ -462,23 +497,23 @@ bool checked_unit::write_words(std::vector<std::uint16_t> const& values)
             is_written = is_normal(line_.ask(asked).bytes, asked) and is_written;
         }
     }
-    line_bytes const asked = framed({std::byte{where_.unit}, std::byte{3}, high(first), low(first), std::byte{0},
-                                     low(static_cast<unsigned>(values.size()))});
-    line_bytes due{asked[0], asked[1], low(static_cast<unsigned>(2 * values.size()))};
-    for (std::uint16_t const each : values) {
-        due.push_back(high(each));
-        due.push_back(low(each));
-    }
-    return line_.ask(asked).bytes == framed(due) and is_written;
+    return holds_words(values) and is_written;
+}
+
+bool checked_unit::holds_coils(std::uint16_t bits)
+{
+    std::uint16_t const first = *where_.scratch_coil;
+    line_bytes const asked =
+        framed({std::byte{where_.unit}, std::byte{1}, high(first), low(first), std::byte{0}, std::byte{16}});
+    return line_.ask(asked).bytes == framed({asked[0], asked[1], std::byte{2}, low(bits), high(bits)});
 }
 
 bool checked_unit::write_coils(std::uint16_t bits)
 {
     std::uint16_t const first = *where_.scratch_coil;
     if (has_function(0x0F)) {
-        line_bytes const asked = framed({std::byte{where_.unit}, std::byte{0x0F}, high(first), low(first), std::byte{0},
-                                         std::byte{16}, std::byte{2}, low(bits), high(bits)});
-        static_cast<void>(line_.ask(asked));
+        static_cast<void>(line_.ask(framed({std::byte{where_.unit}, std::byte{0x0F}, high(first), low(first),
+                                            std::byte{0}, std::byte{16}, std::byte{2}, low(bits), high(bits)})));
     } else {
         for (unsigned i = 0; i < 16; ++i) {
             unsigned const at = first + i;
@@ -487,9 +522,7 @@ bool checked_unit::write_coils(std::uint16_t bits)
                                   (bits >> i & 1U) != 0 ? std::byte{0xFF} : std::byte{0}, std::byte{0}})));
         }
     }
-    line_bytes const asked =
-        framed({std::byte{where_.unit}, std::byte{1}, high(first), low(first), std::byte{0}, std::byte{16}});
-    return line_.ask(asked).bytes == framed({asked[0], asked[1], std::byte{2}, low(bits), high(bits)});
+    return holds_coils(bits);
 }
 
 bool checked_unit::establish(clause_state state)
@@ -540,16 +573,14 @@ std::string checked_unit::put_back()
         }
         return false;
     };
-    if (where_.scratch and not words_before_.empty() and (has_function(0x10) or has_function(6)) and
-        not held([&] { return write_words(words_before_); })) {
+    if (where_.scratch and not held([&] { return holds_words(words_before_) or write_words(words_before_); })) {
         what += "registers " + how_.scratch + " (they held";
         for (std::uint16_t const each : words_before_) {
             what += ' ' + std::to_string(each);
         }
         what += ')';
     }
-    if (coils_before_ and (has_function(0x0F) or has_function(5)) and
-        not held([&] { return write_coils(*coils_before_); })) {
+    if (where_.scratch_coil and not held([&] { return holds_coils(*coils_before_) or write_coils(*coils_before_); })) {
         what += (what.empty() ? "coils " : ", coils ") + how_.scratch_coils;
     }
     return what;

@@ -3,6 +3,7 @@
 // A unit that is checked: what it has, found by asking, its known states, and what clauses found out about it.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -25,6 +26,22 @@ struct kept_exchange_of_check {
 /// Whether an answer is an exception, or would be with its high bit.
 [[nodiscard]] bool is_refusal(line_bytes const& came, line_bytes const& asked);
 
+/// Why a clause is not asked.
+struct obstacle {
+    bool is_of_unit; ///< the unit has nothing to ask for; else it was not allowed, or this port cannot show it
+    std::string why;
+};
+
+/// What may be changed.
+struct scratch_places {
+    std::optional<std::uint16_t> first{};
+    unsigned count{0};
+    std::optional<std::uint16_t> first_coil{}; ///< of 16
+};
+
+/// Refuses words that name none.
+scratch_places scratch_in(check_choices const& how);
+
 class checked_unit {
 public:
     checked_unit(probed_line& line, std::uint8_t unit, check_choices const& how) : line_{line}, how_{how}
@@ -32,13 +49,12 @@ public:
         where_.unit = unit;
     }
 
-    /// Asks it, once for each function and place. False where nothing came at all.
-    bool discover(std::span<clause const* const> wanted);
+    /// Asks it, once for each function and place; of the scratch places it writes what stands there. False where nothing came
+    /// at all.
+    bool discover(std::span<clause const* const> wanted, scratch_places const& scratch);
 
-    /// Why a clause cannot be asked, in words; empty where it can.
-    std::string why_not_asked(clause const& which) const;
-    /// Whether that is a matter of the unit, and not of what was allowed.
-    bool is_not_applicable(clause const& which) const;
+    /// Nothing where a clause can be asked.
+    std::optional<obstacle> why_not_asked(clause const& which) const;
 
     /// False where the unit does not come to it.
     bool establish(clause_state state);
@@ -73,10 +89,15 @@ private:
     void find_crc_place();
     void find_functions();
     void find_other();
-    void find_scratch();
+    line_bytes scratch_data(unsigned function, std::uint16_t first, unsigned count, std::size_t size,
+                            std::string const& option);
+    void find_writing(std::span<line_bytes const> pdus);
+    void find_scratch(scratch_places const& places);
+    bool holds_words(std::vector<std::uint16_t> const& values);
     bool write_words(std::vector<std::uint16_t> const& values);
+    bool holds_coils(std::uint16_t bits);
     bool write_coils(std::uint16_t bits);
-    std::string why_missing(std::string_view need) const;
+    std::optional<obstacle> obstacle_of(std::string_view need) const;
 
     probed_line& line_;
     check_choices const& how_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "frame/hex_text.hpp"
+
 namespace tool {
 
 namespace {
@@ -353,6 +355,22 @@ line_bytes crc_of(byte_view bytes)
     return {static_cast<std::byte>(crc & 0xFFU), static_cast<std::byte>(crc >> 8U)};
 }
 
+line_bytes framed(line_bytes frame)
+{
+    line_bytes const crc = crc_of(frame);
+    frame.insert(frame.end(), crc.begin(), crc.end());
+    return frame;
+}
+
+std::string shown(line_bytes const& bytes)
+{
+    constexpr std::size_t most = 40;
+    return bytes.empty() ? "nothing"
+           : bytes.size() <= most
+               ? hex_of(bytes)
+               : hex_of(byte_view{bytes}.first(most)) + " ... (" + std::to_string(bytes.size()) + " bytes)";
+}
+
 bool has_right_crc(line_bytes const& frame)
 {
     return frame.size() >= 4 and
@@ -368,9 +386,7 @@ line_bytes plain_read(known_places const& where)
     line_bytes frame{std::byte{where.unit}, where.read_function};
     add_word(frame, *from);
     add_word(frame, 1);
-    line_bytes const crc = crc_of(frame);
-    frame.insert(frame.end(), crc.begin(), crc.end());
-    return frame;
+    return framed(frame);
 }
 
 line_bytes bytes_of(std::vector<sent_piece> const& pieces)

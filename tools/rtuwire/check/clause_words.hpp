@@ -77,6 +77,12 @@ line_bytes plain_read(known_places const& where);
 /// Two bytes, the low one first.
 line_bytes crc_of(rtuwire::byte_view bytes);
 
+/// With its CRC behind it.
+line_bytes framed(line_bytes frame);
+
+/// As a verdict shows it: "nothing", and no more than the first forty bytes.
+std::string shown(line_bytes const& bytes);
+
 /// Of a frame of four bytes or more.
 bool has_right_crc(line_bytes const& frame);
 

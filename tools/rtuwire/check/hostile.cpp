@@ -8,6 +8,7 @@
 
 #include "frame/hex_text.hpp"
 #include "line/end_wish.hpp"
+#include "motion/raw_effect.hpp"
 
 namespace tool {
 
@@ -16,21 +17,6 @@ namespace {
 using frame_list = std::vector<line_bytes>;
 
 constexpr std::size_t frames_to_a_read = 100;
-
-std::string in_hex(line_bytes const& bytes)
-{
-    constexpr std::size_t most = 40;
-    return bytes.size() <= most
-               ? hex_of(bytes)
-               : hex_of(rtuwire::byte_view{bytes}.first(most)) + " ... (" + std::to_string(bytes.size()) + " bytes)";
-}
-
-line_bytes with_crc(line_bytes frame)
-{
-    line_bytes const crc = crc_of(frame);
-    frame.insert(frame.end(), crc.begin(), crc.end());
-    return frame;
-}
 
 /// Codes that no document gives a meaning, and that no maker is known to use.
 bool is_unknown_function(unsigned code)
@@ -84,7 +70,10 @@ private:
         for (std::size_t i = 2; code == 8 and i < std::min<std::size_t>(frame.size(), 4); ++i) {
             frame[i] = std::byte{0}; // its other sub-functions change what it counts
         }
-        return with_crc(frame);
+        if (code == 0x2B and frame.size() > 2) {
+            frame[2] = std::byte{0x0E}; // another may write: 0D, of CANopen
+        }
+        return framed(frame);
     }
 
     line_bytes noise()
@@ -99,7 +88,7 @@ private:
         frame_list all;
         for (unsigned code = 0; code <= 0xFF; ++code) {
             if (code != 8 and code != 0x0B and code != 0x0C) {
-                all.push_back(with_crc({unit(), static_cast<std::byte>(code)}));
+                all.push_back(framed({unit(), static_cast<std::byte>(code)}));
             }
         }
         return all;
@@ -111,7 +100,7 @@ private:
         for (std::size_t const size : {297U, 997U}) {
             line_bytes frame{unit(), std::byte{0x63}};
             frame.resize(size + 2, std::byte{0x5A});
-            all.push_back(with_crc(frame));
+            all.push_back(framed(frame));
         }
         return all;
     }
@@ -169,7 +158,7 @@ private:
         if (not comes_back()) {
             return {verdict::fails,
                     "the unit does not answer any more behind " + std::to_string(frames.size()) +
-                        " frames, the last of them " + in_hex(frames.back()) + tail,
+                        " frames, the last of them " + shown(frames.back()) + tail,
                     {}};
         }
         while (frames.size() > 1 and not is_lost_ and noted_signal() == 0) {
@@ -187,9 +176,9 @@ private:
             shorten(frames.front());
         }
         return {verdict::fails,
-                (frames.size() == 1 ? "behind " + in_hex(frames.front())
+                (frames.size() == 1 ? "behind " + shown(frames.front())
                                     : "behind " + std::to_string(frames.size()) + " frames, the last of them " +
-                                          in_hex(frames.back())) +
+                                          shown(frames.back())) +
                     " a plain read is not answered" + (is_lost_ ? ", and the unit does not come back" : "") + tail,
                 {}};
     }
@@ -204,7 +193,7 @@ private:
                 line_bytes shorter{frame.begin(), frame.end() - static_cast<std::ptrdiff_t>(kept_tail)};
                 auto const from = shorter.begin() + static_cast<std::ptrdiff_t>(at);
                 shorter.erase(from, from + static_cast<std::ptrdiff_t>(part));
-                shorter = had_right_crc ? with_crc(shorter) : shorter;
+                shorter = had_right_crc ? framed(shorter) : shorter;
                 frame_list const one{shorter};
                 bool const still = not shorter.empty() and breaks(one);
                 if (is_lost_ or noted_signal() != 0) {
@@ -215,6 +204,16 @@ private:
         }
     }
 
+    /// Whoever looks for frames in it finds none that changes something, of whatever unit.
+    template <typename Make> static line_bytes harmless(Make const& make)
+    {
+        line_bytes bytes = make();
+        while (not changing_frame_in(bytes, functions_within::public_ones, 0).empty()) {
+            bytes = make();
+        }
+        return bytes;
+    }
+
     template <typename Make> judgement for_a_time(Make make, bool may_answer)
     {
         auto const end = std::chrono::steady_clock::now() + time_;
@@ -222,7 +221,7 @@ private:
         while (std::chrono::steady_clock::now() < end and noted_signal() == 0) {
             frame_list frames;
             for (std::size_t i = 0; i < frames_to_a_read; ++i) {
-                frames.push_back(make());
+                frames.push_back(harmless(make));
                 line_bytes const came =
                     unit_.line().ask({sent_piece{.bytes = frames.back()}}, unit_.usual_wait()).bytes;
                 ++count;
@@ -246,7 +245,7 @@ private:
         }
         bool const is_formed =
             has_right_crc(came) and came[0] == unit() and came.size() == stated_size(came, asked).value_or(came.size());
-        return may_answer and is_formed ? std::string{} : in_hex(came) + " came to " + in_hex(asked);
+        return may_answer and is_formed ? std::string{} : shown(came) + " came to " + shown(asked);
     }
 
     judgement each_alone(frame_list const& frames)
@@ -278,7 +277,7 @@ private:
         }
         line_bytes const came = unit_.line().ask({sent_piece{.bytes = all}}, unit_.usual_wait()).bytes;
         if (not came.empty()) {
-            return {verdict::fails, in_hex(came) + " came while others talked", {}};
+            return {verdict::fails, shown(came) + " came while others talked", {}};
         }
         return is_alive() ? judgement{} : judgement{verdict::fails, "a plain read behind it is not answered", {}};
     }

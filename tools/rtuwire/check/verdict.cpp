@@ -15,18 +15,7 @@ namespace tool {
 
 namespace {
 
-constexpr std::size_t shown_bytes = 40;
 constexpr std::string_view listen_only{"D12"};
-
-std::string shown(line_bytes const& bytes)
-{
-    if (bytes.empty()) {
-        return "nothing";
-    }
-    return bytes.size() <= shown_bytes ? hex_of(bytes)
-                                       : hex_of(rtuwire::byte_view{bytes}.first(shown_bytes)) + " ... (" +
-                                             std::to_string(bytes.size()) + " bytes)";
-}
 
 judgement fails(std::string why) { return {.how = verdict::fails, .why = std::move(why)}; }
 
@@ -169,10 +158,8 @@ private:
         std::vector<line_bytes> pages;
         std::byte object{0};
         for (unsigned i = 0; i < 128; ++i) {
-            line_bytes asked{std::byte{unit_.where().unit}, std::byte{0x2B}, std::byte{0x0E},
-                             static_cast<std::byte>(code), object};
-            line_bytes const crc = crc_of(asked);
-            asked.insert(asked.end(), crc.begin(), crc.end());
+            line_bytes const asked = framed({std::byte{unit_.where().unit}, std::byte{0x2B}, std::byte{0x0E},
+                                             static_cast<std::byte>(code), object});
             line_bytes const came = unit_.ask(as_piece(asked), which_.id).bytes;
             if (not is_allowed("IDENT", came, asked, {}, unit_.where())) {
                 if (why != nullptr and (came.size() < 2 or came[1] == std::byte{0x2B})) {
@@ -318,10 +305,8 @@ private:
     /// By how much a counter rises while `steps` are said; its second question counts, too.
     judgement count(unsigned subfunction, std::initializer_list<std::string_view> steps, unsigned due)
     {
-        line_bytes asked{std::byte{unit_.where().unit},       std::byte{8}, std::byte{0},
-                         static_cast<std::byte>(subfunction), std::byte{0}, std::byte{0}};
-        line_bytes const crc = crc_of(asked);
-        asked.insert(asked.end(), crc.begin(), crc.end());
+        line_bytes const asked = framed({std::byte{unit_.where().unit}, std::byte{8}, std::byte{0},
+                                         static_cast<std::byte>(subfunction), std::byte{0}, std::byte{0}});
         auto const counter = [&]() -> std::optional<unsigned> {
             line_bytes const came = unit_.ask(as_piece(asked), which_.id).bytes;
             bool const is_one = came.size() == 8 and has_right_crc(came) and came[1] == std::byte{8};

@@ -9,10 +9,10 @@
 #include "check/report.hpp"
 #include "commands/commands.hpp"
 #include "line/end_wish.hpp"
-#include "line/fed_drive.hpp"
 #include "line/left_alone.hpp"
 #include "line/line_words.hpp"
 #include "line/open_line.hpp"
+#include "motion/fed_drive.hpp"
 #include "output/plain_text.hpp"
 #include "output/progress.hpp"
 #include "words/suggestion.hpp"
@@ -92,7 +92,8 @@ exit_status explain_clause(std::string const& id)
 class checking {
 public:
     explicit checking(choices const& chosen)
-        : chosen_{chosen}, clauses_{wanted(chosen.check.only)}, unit_{unit_in(chosen.line)}
+        : chosen_{chosen}, clauses_{wanted(chosen.check.only)}, scratch_{scratch_in(chosen.check)}, unit_{unit_in(
+                                                                                                        chosen.line)}
     {
         bool const changes =
             not chosen.check.scratch.empty() or not chosen.check.scratch_coils.empty() or chosen.check.may_disrupt;
@@ -115,11 +116,12 @@ public:
                            std::chrono::duration_cast<line_time>(std::chrono::duration<double>{seconds})};
         checked_unit unit{probed, unit_.unit.byte(), chosen_.check};
         note_signals();
-        if (not unit.discover(clauses_)) {
-            throw ended{exit_status::no_answer, "unit " + std::to_string(unit_.unit.byte()) +
-                                                    ": no response to functions 01 to 04; scan looks for who is there"};
-        }
         try {
+            if (not unit.discover(clauses_, scratch_)) {
+                throw ended{exit_status::no_answer,
+                            "unit " + std::to_string(unit_.unit.byte()) +
+                                ": no response to functions 01 to 04; scan looks for who is there"};
+            }
             ask_all(unit);
         } catch (...) {
             put_back(unit);
@@ -186,8 +188,8 @@ private:
 
     judgement judged_one(checked_unit& unit, clause const& which, clause const* before, clause const*& culprit)
     {
-        if (std::string const why = unit.why_not_asked(which); not why.empty()) {
-            return {unit.is_not_applicable(which) ? verdict::does_not_apply : verdict::not_tried, why, {}};
+        if (auto const why = unit.why_not_asked(which)) {
+            return {why->is_of_unit ? verdict::does_not_apply : verdict::not_tried, why->why, {}};
         }
         if (not unit.establish(which.state)) {
             culprit = culprit == nullptr ? before : culprit;
@@ -251,6 +253,7 @@ private:
 
     choices const& chosen_;
     std::vector<clause const*> clauses_;
+    scratch_places scratch_;
     named_unit unit_;
     bool may_change_{false};
     bool is_left_changed_{false};

@@ -13,7 +13,6 @@
 
 #include "commands/commands.hpp"
 #include "line/end_wish.hpp"
-#include "line/fed_drive.hpp"
 #include "line/left_alone.hpp"
 #include "line/line_words.hpp"
 #include "line/map_log.hpp"
@@ -21,7 +20,7 @@
 #include "line/open_line.hpp"
 #include "line/register_reader.hpp"
 #include "line/who_is_it.hpp"
-#include "motion/question.hpp"
+#include "motion/fed_drive.hpp"
 #include "output/plain_text.hpp"
 #include "output/progress.hpp"
 

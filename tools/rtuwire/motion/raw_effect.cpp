@@ -191,16 +191,24 @@ bool only_reads(byte_view pdu)
     return (reading.contains(code_of(pdu)) or says_back or identifies) and is_as_specified(pdu);
 }
 
-void refuse_frame_within(byte_view frame, functions_within which)
+byte_view changing_frame_in(byte_view bytes, functions_within which, std::size_t from)
 {
-    for (std::size_t at = 1; at + rtuwire::min_adu_size <= frame.size(); ++at) {
-        for (std::size_t size = rtuwire::min_adu_size; at + size <= frame.size(); ++size) {
-            byte_view const one = frame.subspan(at, size);
+    for (std::size_t at = from; at + rtuwire::min_adu_size <= bytes.size(); ++at) {
+        for (std::size_t size = rtuwire::min_adu_size; at + size <= bytes.size(); ++size) {
+            byte_view const one = bytes.subspan(at, size);
             if (may_change_something(one.subspan(1, size - 3), which) and rtuwire::crc16(one) == 0) {
-                refuse_for_safety("its bytes, " + hex_of(frame) + ", hold a whole frame, " + hex_of(one) +
-                                  ": a unit that ends a frame by its length takes that for a request of its own");
+                return one;
             }
         }
+    }
+    return {};
+}
+
+void refuse_frame_within(byte_view frame, functions_within which)
+{
+    if (byte_view const one = changing_frame_in(frame, which, 1); not one.empty()) {
+        refuse_for_safety("its bytes, " + hex_of(frame) + ", hold a whole frame, " + hex_of(one) +
+                          ": a unit that ends a frame by its length takes that for a request of its own");
     }
 }
 

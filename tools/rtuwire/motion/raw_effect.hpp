@@ -24,6 +24,9 @@ namespace tool {
 /// of a long text may be one, by its CRC alone.
 enum class functions_within : std::uint8_t { public_ones, any };
 
+/// The first frame in these bytes that does more than read, from a byte on; empty where there is none.
+[[nodiscard]] rtuwire::byte_view changing_frame_in(rtuwire::byte_view bytes, functions_within which, std::size_t from);
+
 /// Refuses a frame, as it is sent, in whose bytes stands another one that does more than read, to whatever unit: who ends a
 /// frame by its length takes the rest for that.
 void refuse_frame_within(rtuwire::byte_view frame, functions_within which);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-#include "line/fed_drive.hpp"
+#include "motion/fed_drive.hpp"
 
 #include "motion/question.hpp"
 

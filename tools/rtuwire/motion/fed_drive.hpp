@@ -15,7 +15,7 @@ struct fed_unit {
     drive_catalog const* drive{nullptr}; ///< its table, where it is known which one
 };
 
-/// What it says of itself, whatever was said of it.
+/// By what was said of it; else, of none and of a register file too, by what it says of itself.
 fed_unit who_is_fed(open_line& line, named_unit const& unit);
 
 /// Asks whoever sits there before a drive is fed, by `act` ("a map") and `question` ("map it?"); without a terminal --yes says
