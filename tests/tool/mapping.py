@@ -160,6 +160,51 @@ def check_end(tool, check):
     check(process.wait(timeout=30) in (DONE, DIFFERS), "a reader that goes away ends it", process.stderr.read())
 
 
+def check_file(tool, check):
+    """A register file to begin with: an address each, which `device check` and `read` take; never in place of another."""
+    ended = tool.run(*QUIET, "-u", METER, "--json", "map", "input:0-20", "-o", "begun.toml")
+    known = tool.run("--csv", "device", "check", "begun.toml")
+    check(ended.status == DONE and "begun.toml has 10 registers" in ended.errors
+          and [row["register"] for row in known.rows()] == [f"input_{each}" for each in (*range(9), 12)], "a file of ten", (ended, known))
+    rows = tool.run(*QUIET, "-u", METER, "--device", "begun.toml", "--csv", "read", "input_12", "input_3").rows()
+    check([row["text"] for row in rows] == ["0x000C", "0x0003"], "its values are read by it", rows)
+    text = (tool.place / "begun.toml").read_text()
+    ended = tool.run(*QUIET, "-u", METER, "-v", "map", "input:0-20", "-o", "begun.toml")
+    check(ended.status == USAGE and "begun.toml: it is there already" in ended.errors and " -> " not in ended.errors
+          and (tool.place / "begun.toml").read_text() == text, "what is there stays, and nobody is asked", ended)
+    ended = tool.run(*QUIET, "-u", MODULE, "map", "coil:30-80", "holding:400-403", "-o", "two.toml")
+    known = tool.run("--csv", "device", "check", "two.toml").rows()
+    check([row["place"] for row in known] == [*(f"coil:{each}" for each in (*range(30, 40), 77)), "holding:400:hex", "holding:402:hex"], "two spaces", known)
+    ended = tool.run(*QUIET, "-u", METER, "map", "input:500-600", "-o", "none.toml")
+    check(ended.status == DIFFERS and not (tool.place / "none.toml").exists() and "none.toml is not written" in ended.errors, "nothing", ended)
+    ended = tool.run(*QUIET, "-u", METER, "map", "input:0-2", "-o", "nowhere/new.toml")
+    check(ended.status == PORT and "nowhere/new.toml" in ended.errors and "input" in ended.output, "a folder that is not there", ended)
+    (tool.place / "some.toml").write_text('[[register]]\nname = "level"\nspace = "input"\naddress = 1\ntype = "u32"\n')
+    ended = tool.run(*QUIET, "-u", METER, "--device", "some.toml", "map", "input:0-4", "-o", "rest.toml")
+    known = tool.run("--csv", "device", "check", "rest.toml").rows()
+    check([row["register"] for row in known] == ["input_0", "input_3", "input_4"], "what has a name is not in it", known)
+    with Units({7: {each: each for each in range(2_100)}}) as line:
+        how = ["--no-listen", "-u", 7, "-d", "none"]
+        ended = tool.run(*how, "map", "0-2200", "-o", "large.toml", port=line.name)
+        check(ended.status == DONE and "2000 registers" in ended.errors and "100 more were found" in ended.errors
+              and len(tool.run("--csv", "device", "check", "large.toml").rows()) == 2_000, "more than a file has", ended)
+
+
+def check_told_before(tool, check):
+    """How long it may take, in front of what takes long: by hand, at 19200 8E1 (11 bits a character)."""
+    with Units({7: {each: each for each in range(4_000)}}) as line:
+        how = ["--no-listen", "-u", 7, "-d", "none"]
+        ended = tool.run(*how, "map", "0-3999", port=line.name)
+        character = 11 / 19_200
+        silence = 2 * 3.5 * character
+        quick = 4_000 / 125 * ((8 + 255) * character + silence + 0.002)
+        slow = 4_000 * 1.5 * ((8 + 5) * character + silence + 0.002)
+        check(f"4000 addresses: from {int(quick) + 1} s" in ended.errors and f"to {int(slow) // 60} min {int(slow) % 60 + 1} s" in ended.errors,
+              "both ends of it", (quick, slow, ended))
+        ended = tool.run(*how, "map", "0-99", port=line.name)
+        check("addresses: from" not in ended.errors, "what takes a moment is not told", ended)
+
+
 def named(units):
     """Units that say what they are by function 43, in three objects; without names they refuse to."""
     class Named(Units):
@@ -328,7 +373,7 @@ def main(check, program):
     with Tool(program) as tool, Programs() as others:
         near, tool.port = others.line()
         others.serve(near, [sys.executable, "-B", __file__, "--serve", "@"], stderr=subprocess.DEVNULL)
-        for part in (check_kinds, check_names, check_forms, check_end, check_silent, check_drive, check_another, check_unnamed_drive):
+        for part in (check_kinds, check_names, check_forms, check_file, check_told_before, check_end, check_silent, check_drive, check_another, check_unnamed_drive):
             part(tool, check)
 
 

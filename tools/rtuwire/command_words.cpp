@@ -186,6 +186,7 @@ void add_reading(CLI::App& app, choices& chosen)
                  "input:1000-1999, list:40001-40100, coil, 0x0C80-0x0CFF; without one holding:0-9999 input:0-9999; "
                  "with --device the names of what is there, and of what is not");
     map.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
+    map.add_option("-o,--output", chosen.file, "a new register file of what was found, to be given names and types");
     CLI::App& read = add_command(app, chosen, "read", "read registers");
     add_places(read, chosen, true);
     read.add_option("--sunspec", chosen.sunspec,

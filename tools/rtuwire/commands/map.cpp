@@ -3,7 +3,9 @@
 // Finds which addresses a unit has: as many at once as it answers, in halves what it refuses, one alone where that is
 // refused, too. It only reads.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,6 +17,7 @@
 #include "line/end_wish.hpp"
 #include "line/left_alone.hpp"
 #include "line/line_words.hpp"
+#include "line/map_file.hpp"
 #include "line/map_log.hpp"
 #include "line/map_words.hpp"
 #include "line/open_line.hpp"
@@ -84,8 +87,12 @@ public:
 
     exit_status run()
     {
+        if (not chosen_.file.empty() and std::filesystem::exists(std::filesystem::symlink_status(chosen_.file))) {
+            refuse_word("-o " + chosen_.file + ": it is there already, and stays as it is; name a new file");
+        }
         open_line line{chosen_.line};
         drive_catalog const* const drive = drive_there(line);
+        tell_before(line, drive);
         if (not chosen_.scan.resume_file.empty()) {
             log_.begin(head_of(line));
         }
@@ -120,6 +127,56 @@ private:
         close_run();
         bar_.clear();
         results_.finish();
+        write_file();
+    }
+
+    /// How long it may take, where that is more than a moment: a unit that has all of it answers as many at once as may be
+    /// asked, and one that has every second of it refuses each pair before it answers one of them.
+    void tell_before(open_line& line, drive_catalog const* drive)
+    {
+        constexpr double moment = 20, system = 0.002, refused = 1.5;
+        constexpr std::size_t request = 8, exception = 5, largest = 255;
+        line_setting const how = setting_in(chosen_.line);
+        rtuwire::line_timing const wire{how.baud, how.format};
+        auto const time_of = [&](std::size_t characters) {
+            return system + 1e-6 * wire.characters(request + characters).microseconds +
+                   2e-6 * wire.t3_5().microseconds + 1e-3 * chosen_.line.pause;
+        };
+        double quick = 0;
+        double slow = 0;
+        for (address_range const& each : ranges_) {
+            double const many = each.last - each.first + 1;
+            quick += many / most_of(each.space, drive) * time_of(largest);
+            slow += many * refused * time_of(exception);
+        }
+        if (line.port().is_simulated() or slow < moment) {
+            return;
+        }
+        auto const whole = [](double seconds) {
+            return time_in_words(std::chrono::seconds{static_cast<long>(seconds) + 1});
+        };
+        tell(
+            std::to_string(addresses()) + " addresses: from " + whole(quick) + " of a unit that has all of them to " +
+            whole(slow) +
+            " of one that has every second of them, and longer of one that is slow or silent to what it lacks. It only "
+            "reads; Ctrl-C shows what was found so far" +
+            (chosen_.scan.resume_file.empty() ? ", and with --resume FILE it goes on from there" : ""));
+    }
+
+    /// A register file of what has no name yet.
+    void write_file()
+    {
+        if (not chosen_.file.empty()) {
+            written_map const written = write_map(chosen_.file, found_);
+            tell(written.registers == 0
+                     ? chosen_.file + " is not written: nothing was found that has no name"
+                     : chosen_.file + " has " + std::to_string(written.registers) + " registers" +
+                           (written.beyond == 0 ? std::string{}
+                                                : ", as many as a file may have; " + std::to_string(written.beyond) +
+                                                      " more were found") +
+                           ", each by its address: give them names, types, orders and units of measure (" +
+                           device_help() + ')');
+        }
     }
 
     void tell_end() const
@@ -326,8 +383,11 @@ private:
     {
         bool const is_none = run_ and run_->found.what == found_address::kind::none;
         bool const is_shown = run_ and (not is_none or not run_->names.empty());
-        if (run_ and run_->found.what == found_address::kind::here and not first_) {
-            first_ = run_->where;
+        if (run_ and run_->found.what == found_address::kind::here) {
+            first_ = first_ ? first_ : run_->where;
+            if (run_->names.empty()) {
+                found_.push_back(run_->where);
+            }
         }
         if (is_shown) {
             bar_.clear();
@@ -344,13 +404,19 @@ private:
         run_.reset();
     }
 
+    /// Where the form of a register file is told; as the program was called, without a line.
+    std::string device_help() const
+    {
+        line_choices no_line;
+        no_line.typed.program = chosen_.line.typed.program;
+        return shown_command(no_line, "device --help");
+    }
+
     /// What is next: one place in the forms that a value may have.
     std::string reading_text(address_range const& found) const
     {
         std::string const place = std::string{name_of(found.space)} + ':' + std::to_string(found.first);
         bool const has_forms = found.space < register_space::coil and found.last > found.first;
-        line_choices no_line;
-        no_line.typed.program = chosen_.line.typed.program;
         std::string words = "read " + place;
         if (has_forms) {
             words = "read " + place + ":hex";
@@ -360,7 +426,7 @@ private:
         }
         return '`' + shown_command(chosen_.line, unit_.unit, words) + "` shows the first" +
                (has_forms ? " in several forms" : "") +
-               "; a register file gives all of it names, types and units: " + shown_command(no_line, "device --help");
+               "; a register file gives all of it names, types and units: " + device_help();
     }
 
     void tell(std::string const& text)
@@ -398,6 +464,7 @@ private:
     progress bar_;
     std::optional<run_of_addresses> run_{};
     std::optional<address_range> first_{}; ///< that the unit has
+    std::vector<address_range> found_{};   ///< that it has, and no register file names
     std::optional<asked_run> answered_{};  ///< the last that the unit answered
     std::size_t done_{0};
     std::size_t here_{0};
