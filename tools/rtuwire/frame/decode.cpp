@@ -101,7 +101,9 @@ frame_reading frame_decoder::read(byte_view bytes, frame_role role, std::size_t 
     read_fields(fields, role, is_known ? std::optional{asked_->run} : std::nullopt);
     size = 1 + fields.size() + crc_size;
     reading.fields.push_back({0, 1, "unit", unit_text(bytes[0])});
-    reading.fields.insert(reading.fields.end(), fields.fields().begin(), fields.fields().end());
+    for (frame_field& each : fields.take_fields()) {
+        reading.fields.push_back(std::move(each));
+    }
     if (tail == crc_size) {
         reading.fields.push_back({bytes.size() - crc_size, crc_size, "CRC", crc_text(bytes)});
     }
@@ -154,19 +156,21 @@ decoded_frame frame_decoder::explain_other_protocol(byte_view bytes, frame_piece
         }
         std::size_t size = 0;
         frame_reading reading = read(rest, role, check, size);
+        std::vector<frame_field> fields;
+        if (message) {
+            fields.push_back({0, 2, "transaction", std::to_string(message->transaction)});
+            fields.push_back({2, 2, "protocol", "0, Modbus TCP: no CRC"});
+            fields.push_back({4, 2, "length", std::to_string(rest.size())});
+        }
         for (frame_field& each : reading.fields) {
             each.offset += header;
+            fields.push_back(std::move(each));
         }
-        auto const first = reading.fields.begin();
-        if (message) {
-            reading.as = "Modbus TCP " + reading.as;
-            reading.fields.insert(first, {{0, 2, "transaction", std::to_string(message->transaction)},
-                                          {2, 2, "protocol", "0, Modbus TCP: no CRC"},
-                                          {4, 2, "length", std::to_string(rest.size())}});
-        } else {
-            reading.as = "Modbus ASCII " + reading.as;
-            reading.fields.push_back({bytes.size() - 1, 1, "LRC", "right"});
+        if (not message) {
+            fields.push_back({bytes.size() - 1, 1, "LRC", "right"});
         }
+        reading.fields = std::move(fields);
+        reading.as = (message ? "Modbus TCP " : "Modbus ASCII ") + reading.as;
         frame.readings.push_back(std::move(reading));
     }
     return frame;
@@ -188,9 +192,8 @@ decoded_frame frame_decoder::explain(byte_view bytes, frame_piece const& piece)
     asked_.reset();
     if (frame.is_good()) {
         remember(bytes);
-    } else if (not has_right_crc) {
-        frame.cause = cause_of_damage(bytes);
     }
+    frame.is_damaged = not has_right_crc;
     return frame;
 }
 

@@ -33,7 +33,7 @@ struct decoded_frame {
     bool is_whole; ///< its length is what its fields say
     /// One that is certain, or all that are possible.
     std::vector<frame_reading> readings{};
-    std::string cause{}; ///< of a wrong CRC, and its remedy; empty where the bytes tell none
+    bool is_damaged{false}; ///< a wrong CRC, and no other protocol: `cause_of_damage` may know more
 
     bool is_good() const { return has_right_crc and is_whole; }
 };

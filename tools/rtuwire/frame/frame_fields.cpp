@@ -63,12 +63,23 @@ unsigned field_reader::number(std::size_t length, std::string_view name)
     return number(length, name, [](unsigned value) { return std::to_string(value); });
 }
 
+unsigned field_reader::number(std::size_t length, std::string_view name, std::string (*text_of)(unsigned))
+{
+    std::optional<unsigned> const found = take(length);
+    if (found) {
+        add(length, std::string{name}, text_of(*found));
+    }
+    return found.value_or(0);
+}
+
 unsigned field_reader::address(std::string_view name, register_space space)
 {
-    return number(2, name, [&](unsigned address) {
-        std::string const names = names_ == nullptr ? std::string{} : names_->name_at(space, address);
-        return std::to_string(address) + (names.empty() ? "" : " (" + names + ")");
-    });
+    std::optional<unsigned> const found = take(2);
+    if (found) {
+        std::string const names = names_ == nullptr ? std::string{} : names_->name_at(space, *found);
+        add(2, std::string{name}, std::to_string(*found) + (names.empty() ? "" : " (" + names + ")"));
+    }
+    return found.value_or(0);
 }
 
 void field_reader::registers(std::size_t count, std::optional<unsigned> first, register_space space)
@@ -101,16 +112,15 @@ void field_reader::bits(std::size_t bytes, std::size_t count, std::optional<unsi
     for (std::size_t i = 0; i < bytes and not is_short_; ++i) {
         std::size_t const begin = 8 * i;
         std::size_t const end = (std::min)(begin + 8, (std::max)(count, begin + 1));
-        std::string const name = run_text(one, first ? "" : "no. ", first.value_or(1) + begin, end - begin);
         std::vector<std::uint16_t> values;
-        number(1, name, [&](unsigned value) {
+        if (std::optional<unsigned> const found = take(1)) {
             std::string text;
             for (std::size_t bit = 0; bit < end - begin; ++bit) {
-                values.push_back(value >> bit & 1U);
+                values.push_back(*found >> bit & 1U);
                 text += (bit == 0 ? "" : " ") + std::to_string(values.back());
             }
-            return text;
-        });
+            add(1, run_text(one, first ? "" : "no. ", first.value_or(1) + begin, end - begin), text);
+        }
         if (first) {
             values.resize(count > begin ? values.size() : 0); // more bytes than bits
             add_named_bits(1, *first + static_cast<unsigned>(begin), values, one, space);

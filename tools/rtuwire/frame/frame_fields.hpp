@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rtuwire/frames.hpp>
@@ -28,7 +29,12 @@ struct frame_field {
     cell holds{};
     std::string measure{};
 
-    friend bool operator==(frame_field const&, frame_field const&) = default;
+    /// The rest follows from these.
+    friend bool operator==(frame_field const& left, frame_field const& right)
+    {
+        return left.offset == right.offset and left.length == right.length and left.name == right.name and
+               left.value == right.value;
+    }
 };
 
 /// What the request asked for that a response answers.
@@ -45,15 +51,8 @@ public:
 
     /// A number of 1 or 2 bytes, as it is; 0 where it is missing.
     unsigned number(std::size_t length, std::string_view name);
-    /// One with a text of its own, given by a call with the number.
-    template <typename Text> unsigned number(std::size_t length, std::string_view name, Text text)
-    {
-        std::optional<unsigned> const found = take(length);
-        if (found) {
-            add(length, std::string{name}, text(*found));
-        }
-        return found.value_or(0);
-    }
+    /// One with a text of its own.
+    unsigned number(std::size_t length, std::string_view name, std::string (*text_of)(unsigned));
 
     /// An address, with what is called so.
     unsigned address(std::string_view name, register_space space);
@@ -74,7 +73,7 @@ public:
     bool is_short() const { return is_short_; }
     /// How many bytes the fields so far have, with the first that is missing.
     std::size_t size() const { return size_; }
-    std::vector<frame_field> const& fields() const { return fields_; }
+    std::vector<frame_field> take_fields() { return std::move(fields_); }
 
 private:
     std::optional<unsigned> take(std::size_t length);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "frame/frame_printer.hpp"
 
+#include "frame/damage.hpp"
 #include "frame/hex_text.hpp"
 
 namespace tool {
@@ -9,6 +10,7 @@ namespace tool {
 void frame_printer::put(decoded_frame const& frame, std::string const& whole, std::string const& value)
 {
     ++number_;
+    std::string const cause = frame.is_damaged ? cause_of_damage(frame.bytes) : std::string{};
     for (frame_reading const& reading : frame.readings) {
         is_first_ = true;
         if (not whole.empty()) {
@@ -20,8 +22,8 @@ void frame_printer::put(decoded_frame const& frame, std::string const& whole, st
         if (not reading.flaw.empty()) {
             put(frame, reading, {0, 0, "flaw", reading.flaw});
         }
-        if (not frame.cause.empty()) {
-            put(frame, reading, {0, 0, "cause", frame.cause});
+        if (not cause.empty()) {
+            put(frame, reading, {0, 0, "cause", cause});
         }
     }
 }
