@@ -41,13 +41,11 @@ std::vector<std::byte> with_crc(std::vector<std::byte> bytes)
     return bytes;
 }
 
-/// The one frame that bytes are, if they are one and it is good.
-std::optional<tool::decoded_frame> good_frame(std::vector<std::byte> const& bytes, tool::drive_catalog const& drive)
+bool is_good_frame(std::vector<std::byte> const& bytes, tool::drive_catalog const& drive)
 {
     tool::names_by_drive const names{drive};
-    auto frames = tool::frame_decoder{&names}.decode(bytes);
-    bool const is_good = frames.size() == 1 and frames[0].is_good() and frames[0].readings[0].flaw.empty();
-    return is_good ? std::optional{std::move(frames[0])} : std::nullopt;
+    auto const frames = tool::frame_decoder{&names}.decode(bytes);
+    return frames.size() == 1 and frames[0].is_good() and frames[0].readings[0].flaw.empty();
 }
 
 /// What typed bytes are, and the frame that is offered instead where its CRC is missing or wrong.
@@ -59,15 +57,15 @@ struct judgement {
 judgement judge(std::vector<std::byte> const& bytes, tool::drive_catalog const& drive)
 {
     constexpr std::size_t crc_size = 2;
-    if (good_frame(bytes, drive)) {
+    if (is_good_frame(bytes, drive)) {
         return {"good"};
     }
-    if (auto offer = with_crc(bytes); good_frame(offer, drive)) {
+    if (auto offer = with_crc(bytes); is_good_frame(offer, drive)) {
         return {"crc missing", std::move(offer)};
     }
     if (bytes.size() >= rtuwire::min_adu_size) {
         auto offer = with_crc({bytes.begin(), bytes.end() - crc_size});
-        if (good_frame(offer, drive)) {
+        if (is_good_frame(offer, drive)) {
             return {"crc wrong", std::move(offer)};
         }
     }

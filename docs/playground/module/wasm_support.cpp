@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <new>
+#include <string>
 
 extern "C" char __heap_base; // where the linker's own data ends
 
@@ -84,6 +85,30 @@ void* memmove(void* to, void const* from, std::size_t size)
     __builtin_memmove(to, from, size);
     return to;
 }
+void* memset(void* to, int byte, std::size_t size)
+{
+    __builtin_memset(to, byte, size);
+    return to;
+}
+// A byte at a time, where the C library looks at four.
+[[clang::no_builtin]] void* memchr(void const* bytes, int wanted, std::size_t size)
+{
+    auto const* at = static_cast<unsigned char const*>(bytes);
+    for (; size != 0; --size, ++at) {
+        if (*at == static_cast<unsigned char>(wanted)) {
+            return const_cast<unsigned char*>(at);
+        }
+    }
+    return nullptr;
+}
+[[clang::no_builtin]] std::size_t strlen(char const* text)
+{
+    char const* end = text;
+    while (*end != '\0') {
+        ++end;
+    }
+    return static_cast<std::size_t>(end - text);
+}
 
 void abort() { __builtin_trap(); }
 void __cxa_pure_virtual() { __builtin_trap(); }
@@ -92,6 +117,40 @@ int __cxa_atexit(void (*)(void*), void*, void*) { return 0; } // a page that clo
 
 _LIBCPP_BEGIN_NAMESPACE_STD
 void __libcpp_verbose_abort(char const*, ...) { __builtin_trap(); }
+
+// Texts, compiled here for size, as the library's own are not: all that it keeps in one object, of which else a part would be
+// there twice, and numbers without its table of digits.
+template class basic_string<char>;
+template string operator+<char, char_traits<char>, allocator<char>>(char const*, string const&);
+template string& string::__assign_no_alias<true>(char const*, size_t);
+template string& string::__assign_no_alias<false>(char const*, size_t);
+
+namespace {
+
+string decimal(unsigned long long value, bool is_negative)
+{
+    char digits[20];
+    char* first = digits + sizeof(digits);
+    do {
+        *--first = static_cast<char>('0' + value % 10);
+        value /= 10;
+    } while (value != 0);
+    string text(is_negative ? 1 : 0, '-');
+    return text.append(first, static_cast<size_t>(digits + sizeof(digits) - first));
+}
+
+string decimal(long long value)
+{
+    auto const bits = static_cast<unsigned long long>(value);
+    return decimal(value < 0 ? 0 - bits : bits, value < 0);
+}
+
+} // namespace
+
+string to_string(int value) { return decimal(value); }
+string to_string(long long value) { return decimal(value); }
+string to_string(unsigned value) { return decimal(value, false); }
+string to_string(unsigned long value) { return decimal(value, false); }
 _LIBCPP_END_NAMESPACE_STD
 
 #endif
