@@ -111,6 +111,30 @@ def check_noise(check, tool_path):
           "none of them writes, nor asks by another kind of 43", writes)
 
 
+def check_what_is_needed(check, tool_path):
+    """A server that is deaf behind functions it does not know is checked by the clauses of others."""
+    class DeafBehind(Server):
+        is_deaf = False
+
+        def take(self, frame):
+            self.is_deaf = self.is_deaf or frame[:1] == bytes([UNIT]) and frame[1] in (8, 22, 23, 24)
+            if not self.is_deaf:
+                super().take(frame)
+
+    line, is_over = ServedLine([DeafBehind]), threading.Event()
+    threading.Thread(target=line.run_until, args=(is_over.is_set,), daemon=True).start()
+    unit = line.servers[0]
+    with Tool(tool_path) as tool:
+        how = [*QUICK, "-u", UNIT, "--json", "--write", "check", "--scratch", SCRATCH]
+        for only in ("F03.1,L07", "F06.1,F16.1"):
+            ended = tool.run(*how, "--only", only, port=unit.name)
+            check(ended.status == DONE and [row["verdict"] for row in ended.objects()] == ["holds"] * 2 and not unit.is_deaf,
+                  f"--only {only} asks for no other function", ended)
+        ended = tool.run(*how, "--only", "D01", port=unit.name)
+        check(unit.is_deaf, "--only D01 does", ended)
+    is_over.set()
+
+
 def size_of_write(data):
     """Of a request that writes and begins there; 0 where none does."""
     function = data[1]
@@ -155,6 +179,7 @@ def main(check, tool_path):
     check_drive(check, tool_path)
     check_meters(check, tool_path)
     check_noise(check, tool_path)
+    check_what_is_needed(check, tool_path)
     check_changes(check, tool_path)
 
 

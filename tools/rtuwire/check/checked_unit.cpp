@@ -20,6 +20,9 @@ constexpr std::uint16_t first_scratch_word = 0x5A00;
 std::byte low(unsigned value) { return static_cast<std::byte>(value & 0xFFU); }
 std::byte high(unsigned value) { return static_cast<std::byte>(value >> 8U & 0xFFU); }
 
+/// "f08": what a clause of function 08 needs.
+std::string need_of(unsigned function) { return "f" + hex_of(line_bytes{low(function)}); }
+
 /// A normal answer to a frame with that function.
 bool is_normal(line_bytes const& came, line_bytes const& asked)
 {
@@ -201,7 +204,7 @@ void checked_unit::find_functions()
     // Writing functions are asked where there is a place for them.
     constexpr harmless reading[]{{0x08, "U 08 00 00 A5 5A CRC"}, {0x18, "U 18 R CRC"}, {0x2B, "U 2B 0E 01 00 CRC"}};
     for (auto const& [function, words] : reading) {
-        if (function == 0x18 and not where_.holding) {
+        if (not is_needed(need_of(function)) or (function == 0x18 and not where_.holding)) {
             continue;
         }
         line_bytes const came = ask_from_known(pieces_of(words, where_));
@@ -257,15 +260,19 @@ line_bytes checked_unit::scratch_data(unsigned function, std::uint16_t first, un
     return {came.begin() + 3, came.end() - 2};
 }
 
-/// Each writes what stands there.
+/// Each writes what stands there. By 16, 06, 15 and 05 the known state is made, too.
 void checked_unit::find_writing(std::span<line_bytes const> pdus)
 {
     for (line_bytes const& each : pdus) {
+        unsigned const function = std::to_integer<unsigned>(each[0]);
+        if ((function == 0x16 or function == 0x17) and not is_needed(need_of(function))) {
+            continue;
+        }
         line_bytes frame{std::byte{where_.unit}};
         frame.insert(frame.end(), each.begin(), each.end());
         line_bytes const answer = ask_from_known({sent_piece{.bytes = framed(frame)}});
         if (not answer.empty() and not is_exception(answer, 1)) {
-            functions_.insert(std::to_integer<unsigned>(each[0]));
+            functions_.insert(function);
         }
     }
 }
@@ -311,12 +318,15 @@ void checked_unit::find_scratch(scratch_places const& places)
     }
 }
 
+bool checked_unit::is_needed(std::string_view need) const
+{
+    return std::ranges::any_of(wanted_,
+                               [need](clause const* each) { return each->needs.find(need) != each->needs.npos; });
+}
+
 bool checked_unit::discover(std::span<clause const* const> wanted, scratch_places const& scratch)
 {
-    auto const is_needed = [wanted](std::string_view place) {
-        return std::ranges::any_of(wanted,
-                                   [place](clause const* each) { return each->needs.find(place) != each->needs.npos; });
-    };
+    wanted_ = wanted;
     line_.wait_for_quiet(known_silence);
     auto const place_of = [this](unsigned function) {
         if (not how_.readable) {
@@ -357,7 +367,10 @@ bool checked_unit::discover(std::span<clause const* const> wanted, scratch_place
     if (where_.coil and is_needed("XC")) {
         where_.behind_coil = first_missing(1, *where_.coil);
     }
-    find_scratch(scratch);
+    constexpr std::string_view writing[]{"scratch", "f05", "f06", "f0F", "f10", "f16", "f17"};
+    if (std::ranges::any_of(writing, [this](std::string_view need) { return is_needed(need); })) {
+        find_scratch(scratch);
+    }
     return true;
 }
 

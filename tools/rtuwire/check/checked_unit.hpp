@@ -49,8 +49,8 @@ public:
         where_.unit = unit;
     }
 
-    /// Asks it, once for each function and place; of the scratch places it writes what stands there. False where nothing came
-    /// at all.
+    /// Asks it, once for each function and place that the wanted clauses need; of the scratch places it writes what stands
+    /// there. False where nothing came at all.
     bool discover(std::span<clause const* const> wanted, scratch_places const& scratch);
 
     /// Nothing where a clause can be asked.
@@ -79,6 +79,7 @@ public:
     bool has_function(unsigned function) const { return functions_.contains(function); }
 
 private:
+    bool is_needed(std::string_view need) const;
     bool reads(std::string_view words, std::size_t data);
     std::optional<std::uint16_t> first_readable(unsigned function);
     std::optional<std::uint16_t> first_missing(unsigned function, std::uint16_t there);
@@ -101,6 +102,7 @@ private:
 
     probed_line& line_;
     check_choices const& how_;
+    std::span<clause const* const> wanted_{};
     known_places where_{};
     std::set<unsigned> functions_{};    ///< that it has
     std::set<unsigned> subfunctions_{}; ///< of function 08
