@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Servers of modbus-serial and jsmodbus whose memory is set and told on the standard input and output, as
-// memory_libmodbus.cpp has it. jsmodbus keeps 65536 of each, and has all of them.
+// memory_libmodbus.cpp has it. jsmodbus has all addresses up to the last, from 0.
 //
-//   NODE_PATH=... node memory_npm.js modbus-serial|jsmodbus DEVICE FIRST COUNT
+//   NODE_PATH=... node memory_npm.js modbus-serial|jsmodbus DEVICE FIRST COUNT [usual]
 "use strict";
 const readline = require("readline");
 
-const [kind, device, first, count] = process.argv.slice(2).map((word) => (/^\d+$/.test(word) ? Number(word) : word));
+const [kind, device, first, count, times] = process.argv.slice(2).map((word) => (/^\d+$/.test(word) ? Number(word) : word));
 const lacking = new Set();
 
 // For modbus-serial: a function per value, which throws what it refuses.
@@ -29,7 +29,8 @@ function ofModbusSerial() {
     };
     const writes = (space, code, isArray) => (address, given) => {
         refuse(code);
-        (isArray ? given : [given]).forEach((value, i) => (all[space][at(address + i)] = Number(value)));
+        const places = (isArray ? given : [given]).map((_, i) => at(address + i)); // all or nothing
+        places.forEach((place, i) => (all[space][place] = Number(isArray ? given[i] : given)));
     };
     const ServerSerial = require("modbus-serial").ServerSerial;
     const server = new ServerSerial({
@@ -41,7 +42,7 @@ function ofModbusSerial() {
         setCoilArray: writes("coil", 15, true),
         setRegister: writes("holding", 6, false),
         setRegisterArray: writes("holding", 16, true),
-    }, { port: device, baudRate: 115200, unitID: 1, interval: 4 });
+    }, { port: device, baudRate: 115200, unitID: 1, ...(times === "usual" ? {} : { interval: 4 }) });
     return {
         opened: (then) => server.on("initialized", then),
         put: (space, address, word) => (all[space][at(address)] = word),
@@ -65,8 +66,8 @@ function ofJsmodbus() {
         return known.call(this, request, answer);
     };
     const memory = {
-        holding: Buffer.alloc(2 * 65536), input: Buffer.alloc(2 * 65536),
-        coils: Buffer.alloc(65536 / 8), discrete: Buffer.alloc(65536 / 8),
+        holding: Buffer.alloc(2 * (first + count)), input: Buffer.alloc(2 * (first + count)),
+        coils: Buffer.alloc((first + count) / 8), discrete: Buffer.alloc((first + count) / 8),
     };
     const port = new SerialPort({ path: device, baudRate: 115200 });
     new jsmodbus.server.RTU(port, memory);
