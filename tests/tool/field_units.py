@@ -12,11 +12,10 @@ class Unit:
     """Answers each request of function 3 by what `said` makes of it: bytes, or (seconds to wait first, bytes) in a list."""
 
     def __init__(self, said):
-        self.said, self.requests, self.times = said, [], []
+        self.said, self.requests = said, []
 
     def take(self, request, send):
         self.requests.append(request)
-        self.times.append(time.monotonic())
         answer = self.said(request)
         for wait, data in answer if isinstance(answer, list) else [(0, answer)]:
             time.sleep(wait)

@@ -15,10 +15,14 @@ from support import DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Too
 NAMES = ("--name", "fan=7:atv320", "--name", "pump=3:atv12")
 
 
-def traffic(tool, line, seconds="0.6s", unit=7):
-    """Another client reads; what it said it read."""
-    return tool.run("--no-listen", "-u", unit, "--json", *NAMES, "watch", "RFR", "LCR", "ACC", "--every", "0.1s", "--for",
-                    seconds, port=line.name)
+def traffic(tool, line, rounds=7, unit=7):
+    """Another client reads, however long that takes."""
+    process = tool.start("--no-listen", "-u", unit, "--json", *NAMES, "watch", "RFR", "LCR", "ACC", "--every", "0.1s",
+                         port=line.name)
+    for _ in range(rounds):
+        process.stdout.readline()
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=LIMIT)
 
 
 def listen(tool, line, *words):

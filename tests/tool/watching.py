@@ -78,8 +78,8 @@ address = 110
 RFR, LCR = 3202, 3204
 
 
-def several(line, *units):
-    return ["--port", line.name, "--no-listen", "--name", "fan=7:atv320", "--timeout", 0.3, "--retries", 0,
+def several(line, *units, timeout=10):
+    return ["--port", line.name, "--no-listen", "--name", "fan=7:atv320", "--timeout", timeout, "--retries", 0,
             *(word for each in units for word in ("-u", each))]
 
 
@@ -142,11 +142,11 @@ def check_silent_unit(tool, check):
     (tool.place / "meter.toml").write_text(METER)
     units = {7: {RFR: 400}, 61: {100: 230, 110: 9}}
     with Units(dict(units)) as line:
-        ended = tool.run(*several(line, "9,fan"), "--csv", "watch", "RFR", "--every", "50ms", "--for", "0.2s")
+        ended = tool.run(*several(line, "9,fan", timeout=0.3), "--csv", "watch", "RFR", "--every", "50ms", "--for", "0.2s")
         row = ended.rows()[-1]
         check(ended.status == NO_ANSWER and list(row)[2:] == ["error@unit9", "RFR@fan", "RFR@fan measure", "error@fan"] and row["error@unit9"] and
               row["RFR@fan"] == "40", "one that does not say which drive it is has an error, and the other its values", ended)
-        process = tool.start(*several(line, "61,fan,9"), "--device", "meter.toml", "--json", "watch", "RFR@fan", "power@61",
+        process = tool.start(*several(line, "61,fan,9", timeout=0.3), "--device", "meter.toml", "--json", "watch", "RFR@fan", "power@61",
                              "hours@61", "power@9", "--every", "50ms", "--for", f"{LIMIT}s")
         row = next(row for row in map(json.loads, process.stdout) if row["power@unit61"] == 230)
         check(row["RFR@fan"] == 40 and row["error@unit9"] and not row["error@fan"], "one is silent from the beginning", row)
