@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # What `rtuwire check` says of public servers: of libmodbus and pymodbus (Debian's packages), of modbus-serial and jsmodbus (npm), of
 # nanoMODBUS and FreeMODBUS (their sources, see tests/sources_of_others.sh) and of this library. Prints the table of
-# docs/public-servers.md, in about ten minutes. Installs what it needs.
+# docs/public-servers.md, in about seven minutes. Installs what it needs.
 #
 #   sh tests/interop/public_servers.sh [SERVER...]         such as `libmodbus freemodbus`; without a word all
 #   sh tests/interop/public_servers.sh --frames SERVER     what fails, with its frames
