@@ -1327,7 +1327,7 @@ class Line:
             self.clock.run()
 
 
-NOT_HERE = {"L25", "L26", "L29", "L41", "T02"}  # they need a wire
+NOT_HERE = {"L25", "L26", "L29", "L41", "T02", "P01"}  # they need a wire, or a profile
 HOW = ["--no-listen", "--write", "--json"]
 ALL = ["--scratch", SCRATCH, "--scratch-coils", SCRATCH_COILS, "--alone", "--disruptive"]
 

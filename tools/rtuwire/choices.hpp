@@ -101,6 +101,7 @@ struct check_choices {
     std::uint32_t seed{1}; ///< of them
     bool lists{false};
     std::string explained{}; ///< a clause
+    std::string profile{};   ///< a file
     std::string junit{};     ///< a file
 };
 

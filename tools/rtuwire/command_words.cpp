@@ -357,6 +357,8 @@ void add_check(CLI::App& app, choices& chosen)
         ->check(CLI::Range(1, 86'400));
     check.add_option("--seed", chosen.check.seed, "the same number sends the same random frames")
         ->capture_default_str();
+    check.add_option("--profile", chosen.check.profile,
+                     "a file: functions that the device is said to have, deviations that are known");
     check.add_option("--junit", chosen.check.junit, "a file with the verdicts, for programs that collect test results");
     add_to_footer(
         check, "Exit status: 0 all musts hold, 1 not. It only reads, and sends frames that are damaged or for nobody.");

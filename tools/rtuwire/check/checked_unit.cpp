@@ -13,7 +13,6 @@ namespace tool {
 
 namespace {
 
-constexpr line_time known_silence{60'000};
 constexpr unsigned tries = 6;
 constexpr std::uint16_t first_scratch_word = 0x5A00;
 
@@ -320,8 +319,12 @@ void checked_unit::find_scratch(scratch_places const& places)
 
 bool checked_unit::is_needed(std::string_view need) const
 {
-    return std::ranges::any_of(wanted_,
-                               [need](clause const* each) { return each->needs.find(need) != each->needs.npos; });
+    bool const is_claimed =
+        std::ranges::any_of(claimed_, [need](unsigned function) { return need_of(function) == need; });
+    return std::ranges::any_of(wanted_, [need, is_claimed](clause const* each) {
+        bool const asks_for_claims = each->needs.find("claimed") != each->needs.npos;
+        return each->needs.find(need) != each->needs.npos or (asks_for_claims and is_claimed);
+    });
 }
 
 bool checked_unit::discover(std::span<clause const* const> wanted, scratch_places const& scratch)
@@ -400,6 +403,9 @@ std::optional<obstacle> checked_unit::obstacle_of(std::string_view need) const
     }
     if (need == "hostile") {
         return allowed(how_.hostile > 0, "it sends what no client would: --hostile allows it");
+    }
+    if (need == "claimed") {
+        return allowed(not claimed_.empty(), "nobody says which functions it has: --profile does");
     }
     if (need == "wire") {
         return allowed(line_.has_wire(), "this port has no wire whose silences are known");

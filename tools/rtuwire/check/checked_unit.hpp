@@ -16,6 +16,8 @@
 
 namespace tool {
 
+inline constexpr line_time known_silence{60'000}; ///< before what begins from a known state
+
 /// One question and its answer.
 struct kept_exchange_of_check {
     line_bytes asked;
@@ -78,6 +80,10 @@ public:
     void forget(std::string_view clause);
     bool has_function(unsigned function) const { return functions_.contains(function); }
 
+    /// What somebody says that it has.
+    void claim(std::vector<unsigned> const& functions) { claimed_ = functions; }
+    std::vector<unsigned> const& claimed() const { return claimed_; }
+
 private:
     bool is_needed(std::string_view need) const;
     bool reads(std::string_view words, std::size_t data);
@@ -104,7 +110,8 @@ private:
     check_choices const& how_;
     std::span<clause const* const> wanted_{};
     known_places where_{};
-    std::set<unsigned> functions_{};    ///< that it has
+    std::set<unsigned> functions_{}; ///< that it has
+    std::vector<unsigned> claimed_{};
     std::set<unsigned> subfunctions_{}; ///< of function 08
     bool names_singly_{false};          ///< by function 43/14
     bool is_lost_{false};               ///< no try brought it to the known state

@@ -96,7 +96,8 @@ void write_junit(std::string const& path, std::string const& unit, std::span<jud
     for (judged_clause const& each : all) {
         clause const& which = *each.which;
         bool const fails = each.found.how == verdict::fails and which.level == clause_level::must;
-        bool const is_skipped = each.found.how == verdict::does_not_apply or each.found.how == verdict::not_tried;
+        bool const is_skipped = each.found.how == verdict::does_not_apply or each.found.how == verdict::not_tried or
+                                each.found.how == verdict::known;
         failures += fails ? 1U : 0U;
         skipped += is_skipped ? 1U : 0U;
         std::string const why = escaped(each.found.why);

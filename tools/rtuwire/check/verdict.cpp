@@ -38,17 +38,29 @@ public:
             std::string_view id;
             judgement (procedures::*act)();
         };
-        constexpr procedure all[]{{"L40", &procedures::spaced},         {"L41", &procedures::gaps},
-                                  {"L44", &procedures::all_answers},    {"X04", &procedures::exception_form},
-                                  {"X05", &procedures::exception_code}, {"X07", &procedures::refused_functions},
-                                  {"I01", &procedures::basic_objects},  {"I02", &procedures::object_lengths},
-                                  {"I03", &procedures::paging},         {"I04", &procedures::last_page},
-                                  {"I11", &procedures::level},          {"I12", &procedures::objects_of_level},
-                                  {"I14", &procedures::characters},     {"D06", &procedures::bus_messages},
-                                  {"D07", &procedures::bus_errors},     {"D08", &procedures::exceptions},
-                                  {"D09", &procedures::own_messages},   {"D10", &procedures::unanswered},
-                                  {"T01", &procedures::response_times}, {"T02", &procedures::turn_around},
-                                  {"T03", &procedures::thousand},       {"T04", &procedures::late_answers}};
+        constexpr procedure all[]{{"L40", &procedures::spaced},
+                                  {"L41", &procedures::gaps},
+                                  {"L44", &procedures::all_answers},
+                                  {"X04", &procedures::exception_form},
+                                  {"X05", &procedures::exception_code},
+                                  {"X07", &procedures::refused_functions},
+                                  {"I01", &procedures::basic_objects},
+                                  {"I02", &procedures::object_lengths},
+                                  {"I03", &procedures::paging},
+                                  {"I04", &procedures::last_page},
+                                  {"I11", &procedures::level},
+                                  {"I12", &procedures::objects_of_level},
+                                  {"I14", &procedures::characters},
+                                  {"D06", &procedures::bus_messages},
+                                  {"D07", &procedures::bus_errors},
+                                  {"D08", &procedures::exceptions},
+                                  {"D09", &procedures::own_messages},
+                                  {"D10", &procedures::unanswered},
+                                  {"P01", &procedures::claimed_functions},
+                                  {"T01", &procedures::response_times},
+                                  {"T02", &procedures::turn_around},
+                                  {"T03", &procedures::thousand},
+                                  {"T04", &procedures::late_answers}};
         procedure const* const found = std::ranges::find(all, which_.id, &procedure::id);
         return found == std::end(all) ? judgement{verdict::not_tried, "this program has no procedure for it yet", {}}
                                       : (this->*found->act)();
@@ -342,6 +354,52 @@ private:
     judgement own_messages() { return count(0x0E, {"READ", "V 03 R 00 01 CRC"}, 2); }
     judgement unanswered() { return count(0x0F, {"READ", "00 03 R 00 01 CRC"}, 1); }
 
+    /// By a request that only reads, or by what was found in the places that may be changed.
+    judgement claimed_functions()
+    {
+        struct reading {
+            unsigned function;
+            std::string_view words;
+        };
+        constexpr reading all[]{{0x01, "U 01 00 00 00 01 CRC"},
+                                {0x02, "U 02 00 00 00 01 CRC"},
+                                {0x03, "U 03 00 00 00 01 CRC"},
+                                {0x04, "U 04 00 00 00 01 CRC"},
+                                {0x07, "U 07 CRC"},
+                                {0x08, "U 08 00 00 A5 5A CRC"},
+                                {0x0B, "U 0B CRC"},
+                                {0x0C, "U 0C CRC"},
+                                {0x11, "U 11 CRC"},
+                                {0x14, "U 14 07 06 00 01 00 00 00 01 CRC"},
+                                {0x18, "U 18 00 00 CRC"},
+                                {0x2B, "U 2B 0E 01 00 CRC"}};
+        constexpr unsigned words[]{0x06, 0x10, 0x16, 0x17}, coils[]{0x05, 0x0F};
+        std::string unasked;
+        for (unsigned const function : unit_.claimed()) {
+            reading const* const found = std::ranges::find(all, function, &reading::function);
+            bool const is_looked_for = (std::ranges::count(words, function) > 0 and unit_.where().scratch) or
+                                       (std::ranges::count(coils, function) > 0 and unit_.where().scratch_coil);
+            if (unit_.has_function(function)) {
+                continue;
+            }
+            if (is_looked_for) {
+                return fails("function " + std::to_string(function) + " is claimed, and not there");
+            }
+            if (found == std::end(all)) {
+                unasked += (unasked.empty() ? "" : ", ") + std::to_string(function);
+                continue;
+            }
+            line_bytes const came = say(found->words), asked = bytes_of(pieces_of(found->words, unit_.where()));
+            if (came.empty() or (is_refusal(came, asked) and came[2] == std::byte{1})) {
+                return fails("function " + std::to_string(function) + " is claimed; " + shown(came) + " came to " +
+                             shown(asked));
+            }
+        }
+        return {verdict::holds,
+                unasked.empty() ? unasked : "not looked for, as a request may change something: " + unasked,
+                {}};
+    }
+
     judgement response_times()
     {
         std::vector<line_time> times;
@@ -452,6 +510,7 @@ std::string_view name_of(verdict how)
     switch (how) {
     case verdict::holds: return "holds";
     case verdict::fails: return "fails";
+    case verdict::known: return "known deviation";
     case verdict::does_not_apply: return "does not apply";
     case verdict::not_tried: return "not tried";
     case verdict::told: break;
@@ -484,7 +543,10 @@ judgement judged(checked_unit& unit, clause const& which)
     if (found.how == verdict::fails) {
         unit.forget(which.id);
     }
-    found.passed = unit.line().take_passed();
+    std::vector<passed_bytes> last = unit.line().take_passed();
+    if (found.passed.empty()) {
+        found.passed = std::move(last); // what broke it was said long before, where that was looked for
+    }
     return found;
 }
 

@@ -10,7 +10,14 @@
 
 namespace tool {
 
-enum class verdict { holds, fails, does_not_apply, not_tried, told };
+enum class verdict {
+    holds,
+    fails,
+    known, ///< fails, as a profile says
+    does_not_apply,
+    not_tried,
+    told,
+};
 
 std::string_view name_of(verdict how);
 

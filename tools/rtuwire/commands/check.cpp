@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check/profile.hpp"
 #include "check/report.hpp"
 #include "commands/commands.hpp"
 #include "line/end_wish.hpp"
@@ -115,6 +116,7 @@ public:
         probed_line probed{line.port(), line.exchange(), rtuwire::line_timing{setting.baud, setting.format},
                            std::chrono::duration_cast<line_time>(std::chrono::duration<double>{seconds})};
         checked_unit unit{probed, unit_.unit.byte(), chosen_.check};
+        unit.claim(profile_.functions());
         note_signals();
         try {
             if (not unit.discover(clauses_, scratch_)) {
@@ -132,6 +134,7 @@ public:
             leave(line, *drive);
         }
         tell_pace(unit);
+        profile_.tell();
         return tell();
     }
 
@@ -174,8 +177,8 @@ private:
                 break; // a clause that was cut says nothing
             }
             bar.clear();
-            bool const is_shown =
-                chosen_.form != output_form::table or row.found.how == verdict::fails or row.found.how == verdict::told;
+            bool const is_shown = chosen_.form != output_form::table or row.found.how == verdict::fails or
+                                  row.found.how == verdict::told or row.found.how == verdict::known;
             if (is_shown) {
                 results.put(record_of(row, chosen_.form), row.found.how == verdict::fails);
             }
@@ -199,7 +202,7 @@ private:
                     unit.line().take_passed()};
         }
         culprit = nullptr;
-        return judged(unit, which);
+        return profile_.judged(judged(unit, which), which.id);
     }
 
     void put_back(checked_unit& unit)
@@ -254,6 +257,7 @@ private:
     choices const& chosen_;
     std::vector<clause const*> clauses_;
     scratch_places scratch_;
+    check_profile profile_{chosen_.check.profile};
     named_unit unit_;
     bool may_change_{false};
     bool is_left_changed_{false};
