@@ -6,10 +6,12 @@
     python3 emulated.py BOARD server [lossy]               mbpoll and pymodbus ask it
     python3 emulated.py BOARD frame_server [lossy]         the same, with DMA and an idle-line interrupt
     python3 emulated.py BOARD simulated_drive [lossy]      the same, and pymodbus runs it
+    python3 emulated.py BOARD checked TOOL                 the server is held to each must of `check`
 
 With "lossy" every second request is lost on its way, and the run has to fail.
 """
 import contextlib
+import json
 import os
 import pathlib
 import re
@@ -154,6 +156,22 @@ def run_drive(device, check):
     check(words[3202] == 300, "mbpoll reads 30 Hz", words)
 
 
+def run_checked(check, place, board, tool):
+    elf = build(place, board, "server")
+    with Emulator(board, elf, "pty") as firmware:
+        device = firmware.wait_for("redirected to (\\S+)")[1]
+        with held_open(device):
+            firmware.wait_for("^ready")
+            ended = subprocess.run(
+                [tool, "--port", device, "--unit", "1", "--no-listen", "--timeout", "0.3", "--json", "check", "--readable", "10"],
+                env={**os.environ, "HOME": place}, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=200)
+    rows = [json.loads(line) for line in ended.stdout.splitlines()]
+    fails = [(row["clause"], row["why"]) for row in rows if row["verdict"] == "fails" and row["level"] == "must"]
+    holds = sum(row["verdict"] == "holds" for row in rows)
+    print(ended.stderr)
+    check(ended.returncode == 0 and not fails and holds > 60, "every must holds", (ended.returncode, fails, holds))
+
+
 def run_unit(check, place, board, program, *how):
     elf = build(place, board, program)
     with Emulator(board, elf, "pty") as firmware, contextlib.ExitStack() as between:
@@ -170,6 +188,8 @@ def main(check, board, program, *rest):
     with tempfile.TemporaryDirectory() as place:
         if program == "controller":
             run_controller(check, place, board, *rest)
+        elif program == "checked":
+            run_checked(check, place, board, *rest)
         else:
             run_unit(check, place, board, program, *rest)
 
