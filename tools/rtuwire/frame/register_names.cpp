@@ -25,14 +25,15 @@ std::string names_by_drive::name_at(register_space space, unsigned address) cons
 std::vector<passed_value> names_by_drive::values_at(register_space space, unsigned address,
                                                     std::span<std::uint16_t const> words) const
 {
-    register_entry const* const entry = entry_at(space, address);
-    if (entry == nullptr) {
-        return {};
+    std::vector<passed_value> values;
+    if (register_entry const* const entry = entry_at(space, address); entry != nullptr) {
+        auto const step = step_of(*entry, drive_); // nobody knows here what sets it
+        register_value found = value_of(*entry, words[0], step);
+        std::string short_text = step ? text_of(*entry, words[0], *step) : found.text;
+        values.push_back({address, 1, std::string{entry->code}, std::move(found.text), std::move(short_text),
+                          std::move(found.value), std::move(found.measure)});
     }
-    auto const step = step_of(*entry, drive_); // nobody knows here what sets it
-    register_value const found = value_of(*entry, words[0], step);
-    return {{address, 1, std::string{entry->code}, found.text, step ? text_of(*entry, words[0], *step) : found.text,
-             found.value, found.measure}};
+    return values;
 }
 
 std::vector<passed_value> values_in(register_names const* names, register_space space, unsigned first,
