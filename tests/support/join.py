@@ -7,9 +7,10 @@ they share is compiled once.
     python3 join.py --groups SOURCE...   prints what is compiled together, a line each, with ";" between
 
 Everything that they include comes first: within a namespace nothing is left to include. A source that defines macros,
-specialises or defines what a header declares, or opens a namespace by its name is a group alone, and not joined. Files
-below tests/ are named from there: the joined file is the same in every clone.
+specialises or defines what a header declares, or opens a namespace by its name is a group alone, and not joined. The
+project's files are named from tests/: the joined file is the same in every clone.
 """
+import os
 import pathlib
 import re
 import sys
@@ -26,7 +27,7 @@ def is_alone(source):
 
 
 def named(file):
-    return file.resolve().relative_to(TESTS) if file.resolve().is_relative_to(TESTS) else file
+    return os.path.relpath(file.resolve(), TESTS) if file.resolve().is_relative_to(TESTS.parent) else file
 
 
 def included(source):
