@@ -17,6 +17,8 @@ using namespace detail;
 template <typename Conversation> struct by_hand {
     Conversation conversation;
     instant now{0xFFFF'FF00U};
+    unsigned count{1};    ///< how many registers were asked for last
+    std::size_t place{0}; ///< of the one that was meant
 
     constexpr void wait(std::uint32_t time_ms)
     {
@@ -26,7 +28,13 @@ template <typename Conversation> struct by_hand {
     constexpr bool reads(std::uint16_t address)
     {
         auto const request = conversation.next();
-        return request and request->frame()[1] == std::byte{3} and u16_at(request->frame(), 2) == address;
+        if (not request or request->frame()[1] != std::byte{3}) {
+            return false;
+        }
+        std::uint16_t const first = u16_at(request->frame(), 2);
+        count = u16_at(request->frame(), 4);
+        place = static_cast<std::size_t>(address - first);
+        return address >= first and address < first + count and count <= 2;
     }
     constexpr bool writes(std::uint16_t address, std::uint16_t word)
     {
@@ -34,19 +42,22 @@ template <typename Conversation> struct by_hand {
         return request and request->frame()[1] == std::byte{6} and u16_at(request->frame(), 2) == address and
                u16_at(request->frame(), 4) == word;
     }
-    constexpr void hear(std::uint16_t word)
+    /// The word of the register that `reads` named; and that of its neighbour, where both were asked for.
+    constexpr void hear(std::uint16_t word, std::uint16_t beside = 0)
     {
-        std::array<std::byte, 4> const pdu{std::byte{3}, std::byte{2}, to_byte(word >> 8U), to_byte(word)};
-        conversation.accept(result<response>{response{pdu}});
+        std::array<std::byte, 6> pdu{std::byte{3}, to_byte(2U * count)};
+        put_u16(&pdu[2], place == 0 ? word : beside);
+        put_u16(&pdu[4], place == 0 ? beside : word);
+        conversation.accept(result<response>{response{byte_view{pdu}.first(2U + 2U * count)}});
     }
     constexpr void confirm() { conversation.accept(result<response>{response{}}); }
     constexpr void miss() { conversation.accept(errc::timed_out); }
 
     /// The same, at once.
-    constexpr bool reads_and_hears(std::uint16_t address, std::uint16_t word)
+    constexpr bool reads_and_hears(std::uint16_t address, std::uint16_t word, std::uint16_t beside = 0)
     {
         bool const is_right = reads(address);
-        hear(word);
+        hear(word, beside);
         return is_right;
     }
     constexpr bool writes_and_confirms(std::uint16_t address, std::uint16_t word)

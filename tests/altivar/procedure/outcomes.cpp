@@ -66,7 +66,15 @@ template <typename Conversation> struct by_hand {
     void hear_word(std::uint16_t word)
     {
         REQUIRE(asks());
-        std::array<std::byte, 4> const pdu{std::byte{3}, std::byte{2}, to_byte(word >> 8U), to_byte(word)};
+        bool const are_two = conversation.next()->frame()[5] == std::byte{2};
+        are_two ? hear_words({word, 0}) : hear_words({word});
+    }
+    void hear_words(std::initializer_list<std::uint16_t> words)
+    {
+        std::vector<std::byte> pdu{std::byte{3}, to_byte(static_cast<std::uint8_t>(2 * words.size()))};
+        for (std::uint16_t const each : words) {
+            pdu.insert(pdu.end(), {to_byte(each >> 8U), to_byte(each)});
+        }
         conversation.accept(result<response>{response{pdu}});
     }
     void confirm()
@@ -95,11 +103,16 @@ struct stubborn {
             written = u16_at(frame, 4);
             it.confirm();
         } else {
-            it.hear_word(address == device::layout.eta   ? status
-                         : address == device::layout.rfr ? frequency
-                         : address == device::layout.cmd ? control
-                         : address == meaning_register   ? std::uint16_t{1}
-                                                         : std::uint16_t{9});
+            auto const word_at = [this](std::uint16_t where) {
+                return where == device::layout.eta   ? status
+                       : where == device::layout.rfr ? frequency
+                       : where == device::layout.cmd ? control
+                       : where == meaning_register   ? std::uint16_t{1}
+                                                     : std::uint16_t{9};
+            };
+            bool const are_two = u16_at(frame, 4) == 2;
+            are_two ? it.hear_words({word_at(address), word_at(static_cast<std::uint16_t>(address + 1))})
+                    : it.hear_word(word_at(address));
         }
         return true;
     }
@@ -277,6 +290,8 @@ TEST_CASE("a state that nobody knows is looked at again")
     resetting.hear_word(unknown);
     CHECK_FALSE(resetting.conversation.settled());
     resetting.hear_word(gone);
+    CHECK_FALSE(resetting.conversation.settled()); // it looks once more
+    resetting.hear_word(gone);
     CHECK(resetting.conversation.succeeded());
 
     by_hand<start> starting{started()};
@@ -293,6 +308,7 @@ TEST_CASE("an outcome that a procedure did not ask for, before its first visit o
     by_hand<reset_fault> it{reset_fault{drive}};
     it.conversation.accept(errc::timed_out);
     it.hear_word(0x0250); // in no fault: it begins all the same
+    it.hear_word(0x0250);
     REQUIRE(it.conversation.succeeded());
     for (errc const told : {errc::none, errc::timed_out, errc::overruled}) {
         it.conversation.accept(told == errc::none ? result<response>{nothing} : result<response>{told});

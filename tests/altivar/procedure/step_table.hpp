@@ -19,7 +19,11 @@ struct answer {
     altivar::event what;
 };
 
-[[nodiscard]] constexpr altivar::event word(std::uint16_t read) { return {altivar::event::kind::word_read, read}; }
+/// Of two words each: where the status is the second one, it is this, too.
+[[nodiscard]] constexpr altivar::event word(std::uint16_t read)
+{
+    return {altivar::event::kind::word_read, read, errc::none, read};
+}
 [[nodiscard]] constexpr altivar::event words(std::uint16_t first, std::uint16_t second)
 {
     return {altivar::event::kind::word_read, first, errc::none, second};

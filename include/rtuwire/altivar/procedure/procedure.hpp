@@ -349,6 +349,21 @@ protected:
         return is_exception(error) ? outcome_kind::refused : outcome_kind::silent;
     }
 
+    /// Reads the status word and its neighbour, RFR behind it or LFT before it: no late answer to a read of one register is
+    /// taken for them. Of a drive whose registers stand apart, the status word alone.
+    [[nodiscard]] constexpr action look() const noexcept
+    {
+        std::uint16_t const from = has_fault_before() ? layout_->lft : layout_->eta;
+        bool const are_two = has_fault_before() or has_frequency_behind();
+        return detail::with(to_read(from), are_two ? 1 : 0, 2);
+    }
+    [[nodiscard]] constexpr bool has_frequency_behind() const noexcept { return layout_->rfr == layout_->eta + 1; }
+    [[nodiscard]] constexpr bool has_fault_before() const noexcept { return layout_->lft + 1 == layout_->eta; }
+    [[nodiscard]] constexpr std::uint16_t status_in(event what) const noexcept
+    {
+        return has_fault_before() ? what.second() : what.word();
+    }
+
     /// Keeps the state that a status word shows.
     constexpr cia402::state note(std::uint16_t status) noexcept
     {

@@ -32,15 +32,17 @@ constexpr cell code = then(reads(layout.lft), kind::in_fault);
 constexpr event in_fault = word(fault_word), in_reaction = word(reaction_word), in_no_state = word(no_state_word);
 
 // clang-format off
-constexpr std::array<stage_row<12>, 6> look_rows{{
+constexpr std::array<stage_row<12>, 7> look_rows{{
     // stage, and the way there
     //   1, 2, 3, 4, 5, 6, 7, 8, no state, no response, refused, limit over
     {"the first look", {begun},
-     {done, done, done, done, done, done, pauses, low, pauses, silent, refused, aborted}},
+     {eta, eta, eta, eta, eta, eta, pauses, low, pauses, silent, refused, aborted}},
+    {"the second look", {begun, word(0x0250)},
+     {pauses, done, pauses, pauses, pauses, pauses, pauses, low, pauses, silent, refused, aborted}},
     {"a look after a fault reaction", {begun, in_reaction, pause_over},
-     {done, done, done, done, done, done, pauses, low, pauses, silent, refused, code}},
+     {eta, eta, eta, eta, eta, eta, pauses, low, pauses, silent, refused, code}},
     {"a look after no state", {begun, in_no_state, pause_over},
-     {done, done, done, done, done, done, pauses, low, pauses, silent, refused, aborted}},
+     {eta, eta, eta, eta, eta, eta, pauses, low, pauses, silent, refused, aborted}},
     {"the first look after the reset", {begun, in_fault, confirmed, confirmed, confirmed},
      {done, done, done, done, done, done, pauses, pauses, pauses, silent, refused, too_late}},
     {"a look that finds the fault again", {begun, in_fault, confirmed, confirmed, confirmed, in_fault, pause_over},

@@ -21,6 +21,7 @@ namespace altivar {
 /// | stage         | word read     | confirmed  | no response  | refused       | limit over          |
 /// |---------------|---------------|------------|--------------|---------------|---------------------|
 /// | looking       | a status      |            | end: silent  | end: refused  | end: aborted        |
+/// | looking_again | a status      |            | end: silent  | end: refused  | end: aborted        |
 /// | low           |               | write 0080 | end: silent  | end: refused  | read LFT            |
 /// | high          |               | write 0000 | undo: silent | undo: refused | read LFT            |
 /// | low_again     |               | read ETA   | undo: silent | undo: refused | undo: state_timeout |
@@ -28,13 +29,15 @@ namespace altivar {
 /// | checking      | a status      |            | end: silent  | end: refused  | end: state_timeout  |
 /// | reading_fault | end: in_fault |            | end: silent  | end: refused  |                     |
 ///
-/// | status         | looking        | checking       |
-/// |----------------|----------------|----------------|
-/// | 1 to 6         | end: succeeded | end: succeeded |
-/// | 7, or no state | wait           | wait           |
-/// | 8 fault        | write 0000     | wait           |
+/// | status         | looking        | looking_again  | checking       |
+/// |----------------|----------------|----------------|----------------|
+/// | 1 to 6         | read ETA       | end: succeeded | end: succeeded |
+/// | another        |                | wait           |                |
+/// | 7, or no state | wait           | wait           | wait           |
+/// | 8 fault        | write 0000     | write 0000     | wait           |
 ///
-/// A wait ends with another read of ETA. Where the state read last is 7 or 8, and no older than the reset, the limit has
+/// A wait ends with another read of ETA, as looking. ETA is read with its neighbour, and alone where that showed no fault: no
+/// late answer to one of both is taken for that to the other. Where the state read last is 7 or 8, and no older than the reset, the limit has
 /// LFT read. Where 0080 was not sent because the unit was lost or has no place, there is nothing to undo.
 /// Internal.
 class reset_procedure : public procedure {
@@ -47,9 +50,8 @@ public:
     {
         switch (what.what()) {
         case event::kind::begun:
-        case event::kind::pause_over: return to_read(layout().eta);
-        case event::kind::word_read:
-            return stage_ == stage::reading_fault ? end_in_fault(what.word()) : judge_status(what.word());
+        case event::kind::pause_over: return look_first();
+        case event::kind::word_read: return on_response(what);
         case event::kind::written: return after_write();
         case event::kind::failed: return go_without(what.error());
         case event::kind::late: break;
@@ -58,19 +60,42 @@ public:
     }
 
 private:
-    enum class stage : std::uint8_t { looking, low, high, low_again, undoing, checking, reading_fault };
+    enum class stage : std::uint8_t { looking, looking_again, low, high, low_again, undoing, checking, reading_fault };
+
+    constexpr action on_response(event what) noexcept
+    {
+        return stage_ == stage::reading_fault
+                   ? end_in_fault(what.word())
+                   : judge_status(stage_ == stage::looking_again ? what.word() : status_in(what));
+    }
 
     constexpr action judge_status(std::uint16_t status) noexcept
     {
-        cia402::state const at = note(status);
+        cia402::state const before = reason().state, at = note(status);
         is_looked_at_ = true;
-        if (at == cia402::state::unknown or at == cia402::state::fault_reaction_active) {
+        if (at == cia402::state::fault and stage_ != stage::checking) {
+            return send_command(stage::low, 0);
+        }
+        if (cia402::is_in_fault(at) or at == cia402::state::unknown) {
             return to_pause(status_period);
         }
-        if (at != cia402::state::fault) {
-            return end(outcome_kind::succeeded);
+        if (stage_ == stage::looking) {
+            return look_again();
         }
-        return stage_ == stage::checking ? to_pause(status_period) : send_command(stage::low, 0);
+        return stage_ == stage::checking or at == before ? end(outcome_kind::succeeded) : to_pause(status_period);
+    }
+
+    constexpr action look_first() noexcept
+    {
+        stage_ = stage_ == stage::looking_again ? stage::looking : stage_;
+        return look();
+    }
+
+    /// What was read may be older than this reset: a late answer to another look, or to a `watch`.
+    constexpr action look_again() noexcept
+    {
+        stage_ = stage::looking_again;
+        return to_read(layout().eta);
     }
 
     constexpr action send_command(stage next, std::uint16_t word) noexcept
@@ -92,7 +117,7 @@ private:
         }
         stage_ = stage::checking;
         is_looked_at_ = false;
-        return to_read(layout().eta);
+        return look();
     }
 
     constexpr action go_without(errc error) noexcept
@@ -117,7 +142,7 @@ private:
             return undo(outcome_kind::state_timeout);
         }
         if (not is_looked_at_ or not cia402::is_in_fault(reason().state)) {
-            return end(stage_ == stage::looking ? outcome_kind::aborted : outcome_kind::state_timeout);
+            return end(stage_ <= stage::looking_again ? outcome_kind::aborted : outcome_kind::state_timeout);
         }
         stage_ = stage::reading_fault;
         return to_read(layout().lft);
