@@ -559,7 +559,8 @@ private:
     /// Whether a request is of one of the polls of a life, which belong to no order.
     bool is_poll(byte_view frame) const
     {
-        return asks_for(frame, drive_.profile().rfr) or asks_for(frame, drive_.profile().lft);
+        bool const is_of_one = u16_at(frame, 4) == 1; // a look of a stop reads one of these beside ETA
+        return is_of_one and (asks_for(frame, drive_.profile().rfr) or asks_for(frame, drive_.profile().lft));
     }
     /// Whether the drive's reference is one of another master that this controller must know of: not one that the drive
     /// refused, and not one that was written behind a start's last look at it. In company the last look may be another

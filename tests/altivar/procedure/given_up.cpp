@@ -56,7 +56,7 @@ TEST_CASE("a reset that never got the line does not claim a fault")
 TEST_CASE("a stop judges the drive by what it read after its word, and only where nothing was lost since")
 {
     constexpr stop_procedure ramp{atv12::device::layout, stop_by::ramp};
-    constexpr way as_fast{begun, confirmed, word(enabled), word(300), pause_over, confirmed, word(enabled), word(300)};
+    constexpr way as_fast{begun, confirmed, words(enabled, 300), pause_over, confirmed, words(enabled, 300)};
     CHECK(does(led(ramp, as_fast), late, ends(kind::state_timeout)));
     stop_procedure const lost = led(led(ramp, as_fast), {pause_over, failed(errc::timed_out)});
     CHECK(does(lost, late, ends(kind::unconfirmed)));
@@ -64,10 +64,10 @@ TEST_CASE("a stop judges the drive by what it read after its word, and only wher
     CHECK(does(refused, late, ends(kind::state_timeout)));
     // A halt reads before its word: the motor was still accelerating then.
     constexpr stop_procedure halt{atv12::device::layout, stop_by::halt};
-    constexpr way once_after{begun, word(enabled), word(200), word(0x000F), confirmed, word(enabled), word(300)};
+    constexpr way once_after{begun, words(enabled, 200), word(0x000F), confirmed, words(enabled, 300)};
     CHECK(does(led(halt, once_after), late, ends(kind::unconfirmed)));
-    constexpr way twice_after{begun,         word(enabled), word(200), word(0x000F),  confirmed,
-                              word(enabled), word(300),     confirmed, word(enabled), word(300)};
+    constexpr way twice_after{begun,     words(enabled, 200), word(0x000F), confirmed, words(enabled, 300),
+                              confirmed, words(enabled, 300)};
     CHECK(does(led(halt, twice_after), late, ends(kind::state_timeout)));
 }
 

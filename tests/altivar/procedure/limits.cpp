@@ -89,9 +89,7 @@ constexpr reason told_of_a_stop(std::uint16_t first, std::uint16_t last, bool is
         ok = ok and it.writes(cmd, 0x0007);
         it.confirm();
         ok = ok and it.reads(eta);
-        it.hear(enabled);
-        ok = ok and it.reads(rfr);
-        it.hear(frequency);
+        it.hear(enabled, frequency);
         it.wait(50);
     }
     if (not is_seen_since) {
@@ -119,17 +117,15 @@ PROOF("a stop ends as not obeyed where the drive was seen as fast as before behi
       "else as unconfirmed",
       tells_what_is_true)
 
-/// How a stop ends whose frequency was read once, or never, behind a look that found the motor running.
-constexpr outcome_kind told_of_one_look(bool has_frequency)
+/// How a stop ends that has looked once and found the motor running, or whose look had no answer.
+constexpr outcome_kind told_of_one_look(bool is_answered)
 {
     by_hand<stop> it{test::with_known_words(stop{other, stop_by::ramp, milliseconds(1'000)})};
     it.wait(0);
     bool ok = it.writes(cmd, 0x0007);
     it.confirm();
     ok = ok and it.reads(eta);
-    it.hear(enabled);
-    ok = ok and it.reads(rfr);
-    has_frequency ? it.hear(300) : it.miss();
+    is_answered ? it.hear(enabled, 300) : it.miss();
     it.wait(1'000);
     return ok and it.conversation.settled() ? it.conversation.reason().kind : outcome_kind::pending;
 }
@@ -144,8 +140,8 @@ constexpr bool ends_a_halt_that_was_told_at_its_limit()
     by_hand<stop> it{test::with_known_words(stop{other, stop_by::halt, milliseconds(1'000)})};
     it.wait(0);
     bool ok = it.reads(eta);
-    it.hear(ready); // nothing to halt: it is told to leave that state
-    ok = ok and it.writes(cmd, 0x0000);
+    it.hear(ready); // nothing to halt, if that is no late answer
+    ok = ok and it.writes(cmd, 0x0007);
     it.confirm();
     it.wait(1'000); // and its next look had no turn
     return ok and it.conversation.settled() and it.conversation.reason().kind == outcome_kind::unconfirmed and

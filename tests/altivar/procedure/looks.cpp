@@ -27,7 +27,8 @@ constexpr auto const& old = atv28::device::layout;
 constexpr std::uint16_t locked = 0x0250, running = 0x0237, faulty = 0x0238, reacting = 0x023F, starting = 0x0210,
                         quick = 0x0217;
 
-constexpr event read(std::uint16_t word) { return {kind::word_read, word}; }
+/// Of an ATV28 a look reads the status behind LFT.
+constexpr event read(std::uint16_t word) { return {kind::word_read, word, errc::none, word}; }
 constexpr event fails(errc error) { return {kind::failed, 0, error}; }
 constexpr event begins{kind::begun}, written{kind::written}, goes_on{kind::pause_over}, late{kind::late};
 
@@ -315,9 +316,8 @@ constexpr bool tells_of_a_fault_behind_its_word()
                               read(200), read(fault_28));
     bool ok = reads(last, old.lft);
     ok = ok and writes(it.step(read(16)), old.cmd, 0x0007); // its reset must not run it
-    ok = ok and reads(it.step(written), old.eta);
-    ok = ok and reads(it.step(read(fault_28)), old.lft);
-    ok = ok and what_of(it.step(read(16))) == action_kind::end;
+    ok = ok and reads(it.step(written), old.lft);           // and ETA behind it
+    ok = ok and what_of(it.step({kind::word_read, 16, errc::none, fault_28})) == action_kind::end;
     return ok and it.reason().kind == outcome_kind::in_fault and it.reason().fault == 16;
 }
 PROOF("a direct start into a fault is taken back and tells of it", tells_of_a_fault_behind_its_word)

@@ -21,7 +21,7 @@ namespace {
 constexpr station<atv320::device> press{unit_id{1}}, mixer{unit_id{2}};
 constexpr station<atv28::device> fan{unit_id{3}}, blower{unit_id{5}};
 constexpr station<atv12::device> hoist{unit_id{4}};
-constexpr std::uint16_t switched_on = 0x0233, enabled = 0x0237;
+constexpr std::uint16_t switched_on = 0x0233, enabled = 0x0237, locked = 0x0250;
 
 // What is said to everyone: at 8501, and at the 400 of an ATV28.
 std::string const coast_new = "00 06 21 35 00 00", coast_old = "00 06 01 90 00 00";
@@ -164,25 +164,22 @@ TEST_CASE("each drive is told by its own address, in turn; a word that stops goe
     it.confirms({"04 06 21 35 00 02", "01 06 21 35 00 02"});
     CHECK(it.asks() == "03 06 01 90 00 02");
     it.miss(3);
-    CHECK(it.asks() == "04 03 0C 81 00 01");
+    CHECK(it.asks() == "04 03 0C 81 00 02");
     it.hear(switched_on);
     it.confirms({"04 06 21 35 00 00"}); // one word away from running: at once, before the others' looks
-    CHECK(it.asks() == "01 03 0C 81 00 01");
-    it.hear(enabled);
     // Both have something to ask, and the one that was asked longest ago is next.
-    CHECK(it.asks() == "04 03 0C 81 00 01");
-    it.wait(50); // the fan's word is due again, and goes before the look of the press
-    it.hear(enabled);
+    CHECK(it.asks() == "01 03 0C 81 00 02");
+    it.wait(50); // the fan's word is due again, and goes before the look at the hoist
+    it.hear(locked);
     CHECK(it.asks() == "03 06 01 90 00 02");
     it.confirm();
-    CHECK(it.asks() == "04 03 0C 82 00 01");
-    it.hear(0);
-    CHECK(it.asks() == "01 03 0C 82 00 01");
-    it.hear(0);
-    CHECK(it.asks() == "03 03 01 CA 00 01");
+    CHECK(it.asks() == "04 03 0C 81 00 02");
+    it.hear(enabled, 300);
+    CHECK(it.asks() == "03 03 01 C9 00 02");
     it.hear(0x0240);
     CHECK(it.all.reason(0).kind == outcome_kind::succeeded);
     CHECK(it.all.reason(1).kind == outcome_kind::pending);
+    CHECK(it.all.reason(2).kind == outcome_kind::succeeded);
     CHECK(it.asks() == "");
     CHECK(it.all.intent() == effect::none);
     CHECK(it.all.poll_deadline() == it.now + milliseconds(50));

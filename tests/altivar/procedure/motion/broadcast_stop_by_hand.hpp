@@ -3,6 +3,7 @@
 // A stop of everyone without a line: its requests as text, its responses and the clock by hand.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -72,7 +73,8 @@ template <std::size_t Drives> struct everyone_by_hand {
                 }
             }
             constexpr std::string_view digits{"0123456789ABCDEF"};
-            for (std::byte const each : request->frame().first(6)) {
+            std::ranges::copy(request->frame().first(6), asked_.begin());
+            for (std::byte const each : asked_) {
                 told += told.empty() ? "" : " ";
                 told += digits[to_u8(each) >> 4U];
                 told += digits[to_u8(each) & 0xFU];
@@ -87,10 +89,17 @@ template <std::size_t Drives> struct everyone_by_hand {
     }
     void wait(std::uint32_t time_ms) { now = now + milliseconds(time_ms); }
     void confirm() { all.accept(result<response>{response{}}); }
-    void hear(std::uint16_t word)
+    /// The status, or the only word that was asked for; of a look, the word beside it.
+    void hear(std::uint16_t word, std::uint16_t beside = 0)
     {
-        std::array<std::byte, 4> const pdu{std::byte{3}, std::byte{2}, to_byte(word >> 8U), to_byte(word)};
-        all.accept(result<response>{response{pdu}});
+        constexpr std::uint16_t fault_before_status = 457;
+        bool const is_behind =
+            asked_[2] == to_byte(fault_before_status >> 8U) and asked_[3] == to_byte(fault_before_status);
+        unsigned const size = 2U * to_u8(asked_[5]);
+        std::array<std::byte, 6> pdu{std::byte{3}, to_byte(size)};
+        put_u16(&pdu[2], is_behind ? beside : word);
+        put_u16(&pdu[4], is_behind ? word : beside);
+        all.accept(result<response>{response{byte_view{pdu}.first(2 + size)}});
     }
     void miss(std::uint8_t unit)
     {
@@ -129,6 +138,9 @@ template <std::size_t Drives> struct everyone_by_hand {
             confirm();
         }
     }
+
+private:
+    std::array<std::byte, 6> asked_{};
 };
 
 } // namespace rtuwire::test

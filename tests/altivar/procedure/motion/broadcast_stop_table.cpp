@@ -27,7 +27,7 @@ constexpr station<atv12::device> hoist{unit_id{4}};
 
 // What is sent to all drives, at the 8501 of later Altivars and at the 400 of an ATV28; and to one drive alone.
 constexpr std::string_view all_new = "00 06 21 35 00 02", all_old = "00 06 01 90 00 02";
-constexpr std::string_view own_hoist = "04 06 21 35 00 02", look_at_hoist = "04 03 0C 81 00 01";
+constexpr std::string_view own_hoist = "04 06 21 35 00 02", look_at_hoist = "04 03 0C 81 00 02";
 constexpr std::string_view own_fan = "03 06 01 90 00 02", nothing, x = "never";
 
 /// The cells of a stage: what is sent at once; after this was sent, or was lost; and where it can still not be sent

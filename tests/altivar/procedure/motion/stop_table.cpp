@@ -19,7 +19,7 @@ namespace {
 constexpr auto const& layout = atv12::device::layout;
 constexpr std::uint16_t ready = 0x0231, enabled = 0x0237;
 
-constexpr cell eta = reads(layout.eta), lft = reads(layout.lft), rfr = reads(layout.rfr), cmd = reads(layout.cmd);
+constexpr cell eta = reads(layout.eta), lft = reads(layout.lft), cmd = reads(layout.cmd);
 constexpr cell leave = writes(layout.cmd, 0x0000), ramp = writes(layout.cmd, 0x0007);
 constexpr cell fast = writes(layout.cmd, 0x0002);
 constexpr cell x = never;
@@ -46,20 +46,20 @@ constexpr cell silent = ends(kind::silent);
 constexpr way at_look{begun, confirmed}, at_look_below{begun, confirmed, word(ready), confirmed};
 
 constexpr std::array<stage_row<12>, 2> looks{{
-    {"a look", at_look, {done, done, leave, leave, rfr, rfr, lft, pauses, local, pauses, pauses, unconfirmed}},
+    {"a look", at_look, {done, done, leave, leave, pauses, pauses, lft, pauses, local, pauses, pauses, unconfirmed}},
     {"a look below power",
      at_look_below,
-     {done, done, pauses, pauses, rfr, rfr, lft, pauses, local, pauses, pauses, unconfirmed}},
+     {done, done, pauses, pauses, pauses, pauses, lft, pauses, local, pauses, pauses, unconfirmed}},
 }};
-/// A halt reads before it writes, and becomes the ramp where it cannot.
+/// A halt reads before it writes, and becomes the ramp where it cannot: what it reads then ends nothing.
 constexpr std::array<stage_row<12>, 1> first_looks{{
-    {"a first look", {begun}, {done, done, leave, leave, rfr, rfr, lft, ramp, local, ramp, ramp, ramp}},
+    {"a first look", {begun}, {ramp, ramp, ramp, ramp, cmd, pauses, ramp, ramp, ramp, ramp, ramp, ramp}},
 }};
 
 constexpr std::array<answer, 8> others{{
-    {"0", word(0)},
-    {"30 Hz", word(300)},
-    {"20 Hz", word(200)},
+    {"0", words(enabled, 0)},
+    {"30 Hz", words(enabled, 300)},
+    {"20 Hz", words(enabled, 200)},
     {"confirmed", confirmed},
     {"pause over", pause_over},
     {"no response", failed(errc::timed_out)},
@@ -69,16 +69,16 @@ constexpr std::array<answer, 8> others{{
 constexpr std::array<stage_row<8>, 9> ramp_rows{{
     {"the word, to be confirmed", {begun}, {x, x, x, eta, x, pauses, pauses, silent}},
     {"after a word that was lost", {begun, failed(errc::timed_out)}, {x, x, x, x, ramp, x, x, silent}},
-    {"the frequency", {begun, confirmed, word(enabled)}, {pauses, pauses, pauses, x, x, pauses, pauses, unconfirmed}},
-    {"after 20 Hz", {begun, confirmed, word(enabled), word(200)}, {x, x, x, x, ramp, x, x, unconfirmed}},
-    {"the frequency after 0",
-     {begun, confirmed, word(enabled), word(0), pause_over, confirmed, word(enabled)},
+    {"a look", {begun, confirmed}, {pauses, pauses, pauses, x, x, pauses, pauses, unconfirmed}},
+    {"after 20 Hz", {begun, confirmed, words(enabled, 200)}, {x, x, x, x, ramp, x, x, unconfirmed}},
+    {"a look after 0",
+     {begun, confirmed, words(enabled, 0), pause_over, confirmed},
      {leave, pauses, pauses, x, x, pauses, pauses, unconfirmed}},
     {"as fast as before",
-     {begun, confirmed, word(enabled), word(200), pause_over, confirmed, word(enabled), word(200)},
+     {begun, confirmed, words(enabled, 200), pause_over, confirmed, words(enabled, 200)},
      {x, x, x, x, ramp, x, x, too_late}},
     {"slower than before",
-     {begun, confirmed, word(enabled), word(300), pause_over, confirmed, word(enabled), word(200)},
+     {begun, confirmed, words(enabled, 300), pause_over, confirmed, words(enabled, 200)},
      {x, x, x, x, ramp, x, x, unconfirmed}},
     {"leaving a state below power", {begun, confirmed, word(ready)}, {x, x, x, eta, x, pauses, pauses, unconfirmed}},
     {"the fault", {begun, confirmed, word(0x0238)}, {fault, fault, fault, x, x, pauses, pauses, unconfirmed}},
@@ -86,13 +86,15 @@ constexpr std::array<stage_row<8>, 9> ramp_rows{{
 
 constexpr cell halt = writes(layout.cmd, 0x010F);
 constexpr std::array<stage_row<8>, 4> halt_rows{{
-    {"the frequency", {begun, word(enabled)}, {cmd, cmd, cmd, x, x, ramp, ramp, ramp}},
-    {"the control word", {begun, word(enabled), word(300)}, {writes(layout.cmd, 0x0100), x, x, x, x, ramp, ramp, ramp}},
+    {"a first look", {begun}, {cmd, cmd, cmd, x, x, ramp, ramp, ramp}},
+    {"the control word, which is none that runs",
+     {begun, words(enabled, 300)},
+     {ramp, ramp, ramp, x, x, ramp, ramp, ramp}},
     {"the halt, to be confirmed",
-     {begun, word(enabled), word(300), word(0x000F)},
+     {begun, words(enabled, 300), words(0x000F, 300)},
      {x, x, x, eta, x, ramp, pauses, silent}},
-    {"the frequency of a motor that halts",
-     {begun, word(enabled), word(300), word(0x000F), confirmed, word(enabled)},
+    {"a look at a motor that halts",
+     {begun, words(enabled, 300), words(0x000F, 300), confirmed},
      {pauses, halt, pauses, x, x, ramp, pauses, unconfirmed}},
 }};
 
@@ -122,6 +124,6 @@ TEST_CASE("a stop begins with its word, or with a look")
     CHECK(does(ramp_stop, begun, ramp));
     CHECK(does(quick, begun, fast));
     CHECK(does(halt_stop, begun, eta));
-    CHECK(does(injection, begun, reads(old.eta)));
+    CHECK(does(injection, begun, reads(old.lft)));                           // and ETA behind it
     CHECK(does(stop_procedure{layout, stop_by::dc_injection}, begun, ramp)); // it has no such stop
 }

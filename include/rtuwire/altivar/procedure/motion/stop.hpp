@@ -6,8 +6,8 @@
 //
 // The control word that stops is sent before anything is read, and again after every status read until the state
 // confirms it: neither a lost frame nor an exception ends a stop, only its limit does. Only halt and DC injection read
-// the status first, because their words may start a drive that is "ready"; where that read fails, or the drive has no such
-// stop, they become the ramp.
+// the status first, because their words may start a drive that is "ready"; where that read fails or shows a motor without
+// power, which may be a late answer, or the drive has no such stop, they become the ramp.
 // A drive at rest is brought to "switch on disabled", where no late or foreign word can start it.
 //
 // No word rests on the type that its user declares: only 0000 stops all Altivars that have their control word at 8501.
@@ -118,13 +118,15 @@ namespace altivar {
 /// | begin           | no such stop of the drive        | write 0007                                                 |
 /// | ETA             | 1, 2                             | end: succeeded                                             |
 /// |                 | 3, 4                             | write 0000; after that: wait                               |
-/// |                 | 5, 6                             | read RFR                                                   |
+/// |                 | 5, 6                             | look at RFR                                                |
 /// |                 | 7, 8                             | read LFT                                                   |
 /// |                 | no state                         | wait; in place, first look: write 0007                     |
 /// |                 | in local control                 | end: local_control                                         |
+/// |                 | all but 5, 6, no word sent yet   | in place: write 0007                                       |
 /// | RFR             | 0 for the second time            | write 0000; halted in 5: end: succeeded                    |
 /// |                 | other                            | wait; in place: read CMD or write the word in 5            |
-/// | CMD             | any                              | write it with the halt bit                                 |
+/// | CMD             | one that runs                    | write it with the halt bit                                 |
+/// |                 | other                            | write 0007                                                 |
 /// | LFT             | any                              | end: in_fault                                              |
 /// | a written word  | confirmed                        | read ETA                                                   |
 /// | anything        | no response, or refused          | wait; in place, without a word yet: write 0007             |
@@ -134,7 +136,10 @@ namespace altivar {
 /// |                 | limit over, as fast as before    | end: state_timeout                                         |
 /// |                 | limit over                       | end: unconfirmed                                           |
 ///
-/// In local control, 1, 2, 7 and 8 count as they are. To a drive that is not confirmed, each of these words is sent as
+/// RFR is read with ETA where it stands behind that, and LFT where it stands before it: by two registers at once, for which no
+/// late answer to another question of a procedure is taken. A unit answers in its order: behind the answer to a word of this stop
+/// comes none to what was asked before it, so nothing ends on what was read earlier. In local control, 1, 2, 7 and 8 count as
+/// they are. To a drive that is not confirmed, each of these words is sent as
 /// 0000.
 /// Internal.
 class stop_procedure : public procedure {
@@ -148,7 +153,7 @@ public:
         switch (what.what()) {
         case event::kind::begun: return begin();
         case event::kind::pause_over: return detail::is_in_place(mode_) ? read_status() : stop_again();
-        case event::kind::word_read: return on_response(what.word());
+        case event::kind::word_read: return on_response(what);
         case event::kind::written: return after_write();
         case event::kind::failed: return go_on(what.error());
         case event::kind::late: break;
@@ -183,8 +188,8 @@ protected:
     constexpr action stop_blind() noexcept
     {
         if (detail::is_in_place(mode_)) {
-            mode_ = stop_by::ramp;
             note_other_stop();
+            return ramp();
         }
         return stop_again();
     }
@@ -200,16 +205,21 @@ private:
         return looks_first() ? read_status() : stop_again();
     }
 
+    constexpr action ramp() noexcept
+    {
+        mode_ = stop_by::ramp;
+        return stop_again();
+    }
+
     /// Whether the control word of this stop is not known yet.
     constexpr bool looks_first() const noexcept { return detail::is_in_place(mode_) and not has_word_; }
 
-    constexpr action read_status() noexcept { return ask(asked::status, layout().eta); }
+    constexpr action read_status() noexcept { return ask(asked::status, look()); }
 
-    constexpr action ask(asked what, std::uint16_t address) noexcept
+    constexpr action ask(asked what, action read) noexcept
     {
         asked_ = what;
-        action const next = to_read(address);
-        return looks_first() ? within(next, detail::longest_wait_of_a_stop) : next;
+        return looks_first() ? within(read, detail::longest_wait_of_a_stop) : read;
     }
 
     constexpr action stop_again() noexcept
@@ -242,35 +252,50 @@ private:
         return cia402::word_of(is_quick ? cia402::command::quick_stop : cia402::command::switch_on);
     }
 
-    constexpr action on_response(std::uint16_t word) noexcept
+    constexpr action on_response(event what) noexcept
     {
         switch (asked_) {
-        case asked::status: return judge(word);
-        case asked::fault: return end_in_fault(word);
-        case asked::control: return send_command(static_cast<std::uint16_t>(word | layout().halt));
+        case asked::status: return judge(what);
+        case asked::fault: return end_in_fault(what.word());
+        case asked::control: return halt(what.word());
         case asked::frequency:
         case asked::word: break;
         }
-        return measure(word);
+        return measure(what.word());
     }
 
-    constexpr action judge(std::uint16_t status) noexcept
+    constexpr action judge(event what) noexcept
     {
-        cia402::state const at = note(status);
+        std::uint16_t const status = status_in(what);
+        cia402::state const at = cia402::decode(status);
+        bool const is_remote = (status & remote_bit) != 0;
+        bool const is_running = at == cia402::state::operation_enabled or at == cia402::state::quick_stop_active;
+        if (looks_first() and not(is_running and is_remote)) { // what was read may be older than this stop
+            return cia402::is_at_rest(at) ? ramp() : stop_blind();
+        }
+        static_cast<void>(note(status));
         is_seen_ = true;
         if (cia402::is_in_fault(at)) {
-            return ask(asked::fault, layout().lft);
+            return has_fault_before() ? end_in_fault(what.word()) : ask(asked::fault, to_read(layout().lft));
         }
         if (at == cia402::state::switch_on_disabled or at == cia402::state::not_ready_to_switch_on) {
             return end(outcome_kind::succeeded);
         }
-        if ((status & remote_bit) == 0) {
+        if (not is_remote) {
             return end(outcome_kind::local_control);
         }
         if (cia402::has_power(at)) {
-            return ask(asked::frequency, layout().rfr);
+            return has_frequency_behind() ? measure(what.second()) : ask(asked::frequency, to_read(layout().rfr));
         }
         return at == cia402::state::unknown ? become_ramp_and_go_on() : leave_ready();
+    }
+
+    /// The control word that runs the motor, with the halt bit; of another one the drive is being stopped already.
+    constexpr action halt(std::uint16_t control) noexcept
+    {
+        constexpr std::uint16_t run = cia402::word_of(cia402::command::enable_operation);
+        return (control & run) == run ? send_command(static_cast<std::uint16_t>(control | layout().halt))
+                                      : become_ramp_and_go_on();
     }
 
     /// "Ready to switch on" and "switched on" have no power, but one control word may give it.
@@ -297,7 +322,8 @@ private:
             return become_ramp_and_go_on(); // the drive may remove the power now, and the injection would restore it
         }
         if (looks_first() and is_operating) {
-            return mode_ == stop_by::halt ? ask(asked::control, layout().cmd) : send_command(layout().dc_injection);
+            return mode_ == stop_by::halt ? ask(asked::control, to_read(layout().cmd))
+                                          : send_command(layout().dc_injection);
         }
         if (not frequency_.stands()) {
             stands_ = false;
