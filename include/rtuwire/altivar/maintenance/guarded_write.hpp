@@ -141,7 +141,7 @@ enum class write_care : std::uint8_t {
 /// | anything | no response       | end: silent                      |
 /// |          | refused otherwise | end: refused                     |
 ///
-/// A command of 0006 moves nothing either, but it is somebody's: a drive that another master holds ready is not restored.
+/// ETA is read with its neighbour: see `procedure::look`. A command of 0006 moves nothing either, but it is somebody's: a drive that another master holds ready is not restored.
 class write_guard : public procedure {
 public:
     constexpr write_guard(drive_layout const& layout, terminal_options const& options) noexcept
@@ -154,7 +154,7 @@ public:
         *this = write_guard{layout(), options_};
         rest_ = at_rest_procedure{layout(), options_, {.ends_three_wire = care == write_care::all_inputs}};
         care_ = care;
-        return to_read(layout().eta);
+        return look();
     }
 
     constexpr action step(event what) noexcept
@@ -166,7 +166,7 @@ public:
                        : next;
         }
         if (what.what() == event::kind::word_read) {
-            return judge(what.word());
+            return judge(what);
         }
         return what.what() == event::kind::failed ? end(what.error()) : end(outcome_kind::aborted);
     }
@@ -174,10 +174,11 @@ public:
 private:
     enum class asked : std::uint8_t { status, command, speed, rest };
 
-    constexpr action judge(std::uint16_t word) noexcept
+    constexpr action judge(event what) noexcept
     {
+        std::uint16_t const word = what.word();
         switch (asked_) {
-        case asked::status: return judge_state(note(word));
+        case asked::status: return judge_state(note(status_in(what)));
         case asked::command:
             asked_ = asked::speed;
             return word == 0 ? to_read(layout().rfr) : end(outcome_kind::overwritten);

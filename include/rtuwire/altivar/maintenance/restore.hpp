@@ -54,7 +54,7 @@ public:
     constexpr void perform(unit_id unit, action what) noexcept
     {
         if (what_of(what) == action_kind::read) {
-            return read_block(unit, {address_of(what), 1});
+            return read_block(unit, {address_of(what), count_of(what)});
         }
         count_ = 0;
         put(encode_into(frame_, unit, write_single_register{address_of(what), word_of(what)}), repetition_of(what),
@@ -70,7 +70,7 @@ public:
     }
     [[nodiscard]] constexpr detail::effect does() const noexcept { return does_; }
 
-    /// What came of it: the words that were read, or an error; for a procedure, which read one word or wrote one.
+    /// What came of it: the words that were read, or an error; for a procedure, which read one or two words or wrote one.
     [[nodiscard]] constexpr result<register_view> words_of(result<response> const& outcome) const noexcept
     {
         return words_in(outcome, count_);
@@ -81,7 +81,8 @@ public:
             return outcome ? event{event::kind::written} : event{event::kind::failed, 0, outcome.error()};
         }
         auto const words = words_of(outcome);
-        return words ? event{event::kind::word_read, (*words)[0]} : event{event::kind::failed, 0, words.error()};
+        return words ? event{event::kind::word_read, (*words)[0], errc::none, (*words)[words->size() - 1]}
+                     : event{event::kind::failed, 0, words.error()};
     }
 
 private:

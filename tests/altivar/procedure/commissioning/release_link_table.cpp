@@ -16,12 +16,13 @@ namespace {
 
 constexpr std::uint16_t command = 400;
 constexpr cell eta = reads(458), eti = reads(459), lft = reads(457), wiring = reads(6), inputs = reads(478);
+constexpr cell look = reads(457); // and ETA behind it
 constexpr cell told_release = writes(command, 0x8100), told_activate = writes(command, 0x8000);
 /// The word that takes the motor's power away, whatever comes of it; and where the motor was read to run.
 [[nodiscard]] constexpr cell cut_as(kind how) { return then(told_activate, how); }
 constexpr cell cut = cut_as(kind::started_by_terminals);
 /// After the word of the release was sent no end without another look.
-[[nodiscard]] constexpr cell look_as(kind how) { return then(eta, how); }
+[[nodiscard]] constexpr cell look_as(kind how) { return then(look, how); }
 constexpr cell look_silent = look_as(kind::silent), look_refused = look_as(kind::refused);
 constexpr cell look_aborted = look_as(kind::aborted);
 constexpr cell x = never;
@@ -94,7 +95,7 @@ constexpr std::array<stage_row<9>, 12> release_rows{{
       pauses, x, look_silent, look_refused, look_refused, look_aborted}},
     {"a wait after it was told", {begun, disabled, word(1), confirmed},
      {x, x, x,
-      x, eta, look_silent, x, x, look_aborted}},
+      x, look, look_silent, x, x, look_aborted}},
     {"asking for the source", {begun, disabled, word(1), confirmed, pause_over, disabled},
      {done, done, not_taken,
       x, x, look_silent, look_refused, look_refused, look_aborted}},
@@ -126,7 +127,7 @@ constexpr std::array<stage_row<9>, 10> activate_rows{{
       pauses, x, look_silent, look_refused, look_refused, look_aborted}},
     {"a wait after it was told", {begun, disabled, confirmed},
      {x, x, x,
-      x, eta, look_silent, x, x, look_aborted}},
+      x, look, look_silent, x, x, look_aborted}},
     {"asking for the source", {begun, disabled, confirmed, pause_over, disabled},
      {not_taken, not_taken, done,
       x, x, look_silent, look_refused, look_refused, look_aborted}},

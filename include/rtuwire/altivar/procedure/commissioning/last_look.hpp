@@ -41,7 +41,7 @@ public:
         so_ = so;
         note_state(seen);
         // A lost unit gets no read until its drive has stopped by itself, but it may get a word that stops.
-        return so.error == errc::unit_lost ? cut() : to_read(layout().eta);
+        return so.error == errc::unit_lost ? cut() : look();
     }
 
     /// Of a motor that was just read to run.
@@ -56,7 +56,7 @@ public:
     constexpr action step(event what) noexcept
     {
         switch (stage_) {
-        case stage::looking: return what.what() == event::kind::word_read ? judge(what.word()) : go_without(what);
+        case stage::looking: return what.what() == event::kind::word_read ? judge(status_in(what)) : go_without(what);
         case stage::reading_fault: return trip(what.what() == event::kind::word_read ? what.word() : std::uint16_t{0});
         case stage::cutting: break;
         }
