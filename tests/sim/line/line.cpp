@@ -134,6 +134,8 @@ TEST_CASE("each fault does what it says")
     CHECK(whole_with(&line_faults::added, always, 100) == 0);
     CHECK(whole_with(&line_faults::repeated, always, 100) == 0);
     CHECK(whole_with(&line_faults::glitches, always, 100) == 0);
+    CHECK(whole_with(&line_faults::foreign, always, 100) == 0);
+    CHECK(whole_with(&line_faults::babble, always, 100) == 0);
     line_faults cut;
     cut.is_cut = true;
     CHECK(whole_frames(cut, 100) == 0);
@@ -146,6 +148,50 @@ TEST_CASE("each fault does what it says")
     // 88 bits at one error in a hundred: 41 % of the frames stay whole.
     unsigned const noisy = whole_with(&line_faults::bit_errors, always / 100, 1'000);
     CHECK((noisy > 360 and noisy < 460));
+}
+
+TEST_CASE("another unit answers the same before the frame, and writes nothing")
+{
+    constexpr auto answer = "01 03 04 00 64 00 65 7B C7"_hex;
+    constexpr auto written = "01 06 00 64 00 65 08 3E"_hex;
+    line_faults faults;
+    faults.foreign = always;
+    sim::line wire{19'200, character_format::even_8_1, 1};
+    wire.set_faults(faults);
+    auto const heard_behind = [&wire](byte_view bytes, instant at) {
+        wire.transmit(0, bytes, at);
+        std::vector<std::byte> all;
+        for (character const& each : heard_of(wire, at + milliseconds(100))) {
+            CHECK_FALSE(each.is_damaged);
+            all.push_back(each.byte);
+        }
+        return all;
+    };
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        auto const both = heard_behind(answer, instant{i * 200'000});
+        REQUIRE(both.size() == 2 * answer.size());
+        byte_view const foreign = byte_view{both}.first(answer.size());
+        CHECK(check_frame(foreign) == errc::none);
+        CHECK((foreign[0] != answer[0] and to_u8(foreign[0]) >= 1 and to_u8(foreign[0]) <= 247));
+        CHECK((foreign[1] == answer[1] and foreign[2] == answer[2]));
+        auto const refusal = heard_behind(written, instant{i * 200'000 + 100'000});
+        REQUIRE(refusal.size() == 5 + written.size());
+        CHECK((check_frame(byte_view{refusal}.first(5)) == errc::none and refusal[1] == std::byte{0x86}));
+    }
+}
+
+TEST_CASE("in the place of a frame a babble is longer than any, and holds no function")
+{
+    line_faults faults;
+    faults.babble = always;
+    sim::line wire{19'200, character_format::even_8_1, 1};
+    wire.set_faults(faults);
+    wire.transmit(0, frame, instant{0});
+    auto const all = heard_of(wire, instant{1'000'000});
+    CHECK(all.size() == 300);
+    for (character const& each : all) {
+        CHECK(to_u8(each.byte) >= 0x80);
+    }
 }
 
 TEST_CASE("the same seed makes the same faults")

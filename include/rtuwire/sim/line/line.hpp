@@ -15,6 +15,7 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
+#include <rtuwire/sim/line/line_faults.hpp>
 #include <rtuwire/sim/line/random_source.hpp>
 
 namespace rtuwire {
@@ -147,20 +148,6 @@ struct character {
 
 namespace sim {
 
-/// How often each fault occurs, in a million.
-struct line_faults {
-    std::uint32_t bit_errors{0}; ///< bits that arrive inverted
-    std::uint32_t bursts{0};     ///< frames of which up to 16 neighbouring bits are disturbed
-    std::uint32_t dropped{0};    ///< characters that no receiver gets
-    std::uint32_t added{0};      ///< characters after which another one follows
-    std::uint32_t lost{0};       ///< frames that no receiver gets
-    std::uint32_t repeated{0};   ///< frames that are received twice, the second right after the first
-    std::uint32_t delayed{0};    ///< frames that are sent late, by up to `delay`
-    std::uint32_t glitches{0};   ///< frames before which a short low glitch appears
-    duration delay{};
-    bool is_cut{false}; ///< nothing arrives at all
-};
-
 /// The line. `transmit` puts frames on it, `receive` takes characters off it.
 class line {
 public:
@@ -196,18 +183,26 @@ public:
         line_faults const& faults = faults_[sender % max_senders];
         std::size_t const bits = bytes.size() * detail::bits_per_character(format_);
         instant const end = at + time_of(bits);
-        if (faults.is_cut or random_.happens(faults.lost)) {
+        frame_fate const fate = fate_of(faults, random_);
+        if (fate.is_lost) {
             return end;
         }
         std::size_t place = place_of(at);
-        if (random_.happens(faults.delayed)) {
+        if (fate.is_delayed) {
             place += random_.below(static_cast<std::uint32_t>(place_of(begin_ + faults.delay)));
         }
-        if (random_.happens(faults.glitches)) {
+        if (fate.has_glitch) {
             place = glitch(place);
         }
+        if (fate.has_foreign) {
+            place = lay_foreign(sender, bytes, place);
+        }
+        if (fate.is_babble) {
+            lay_babble(sender, place);
+            return end;
+        }
         std::size_t after = lay(sender, bytes, place);
-        if (random_.happens(faults.repeated)) {
+        if (fate.is_repeated) {
             constexpr std::uint32_t longest_pause = 35; // below t3.5
             lay(sender, bytes, after + random_.below(longest_pause));
         }
@@ -301,6 +296,24 @@ private:
         return place;
     }
 
+    /// Another unit's answer, and the silence behind it.
+    constexpr std::size_t lay_foreign(unsigned sender, byte_view bytes, std::size_t place) noexcept
+    {
+        constexpr std::size_t silence = 40; // t3.5
+        std::array<std::byte, max_adu_size> room{};
+        if (bytes.size() > room.size()) {
+            return place;
+        }
+        return lay(sender, foreign_answer(bytes, room, random_), place) + silence;
+    }
+
+    constexpr void lay_babble(unsigned sender, std::size_t place) noexcept
+    {
+        std::array<std::byte, 300> bytes{}; // longer than any frame
+        fill_babble(bytes, random_);
+        lay(sender, bytes, place);
+    }
+
     constexpr void disturb(line_faults const& faults, std::size_t begin, std::size_t end) noexcept
     {
         for (std::size_t at = begin; faults.bit_errors > 0 and at < end; ++at) {
@@ -309,14 +322,7 @@ private:
             }
         }
         if (random_.happens(faults.bursts)) {
-            constexpr std::uint32_t longest = 16;
-            std::uint32_t const first = random_.below(static_cast<std::uint32_t>(end - begin));
-            std::uint32_t const pattern = random_.next() | 1U;
-            for (std::uint32_t i = 0; i <= random_.below(longest); ++i) {
-                if (((pattern >> i) & 1U) != 0) {
-                    wave_.flip(begin + first + i);
-                }
-            }
+            disturb_bits(end - begin, random_, [&](std::size_t at) { wave_.flip(begin + at); });
         }
     }
 

@@ -48,5 +48,11 @@ private:
 };
 
 } // namespace detail
+
+namespace sim {
+
+using random_source = detail::random_source;
+
+} // namespace sim
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire
