@@ -68,6 +68,9 @@ public:
     /// The name under which the far end can be opened as a serial device.
     [[nodiscard]] std::string const& path() const noexcept { return path_; }
 
+    /// The system's number of the near end, for `poll`; -1 where none is open.
+    [[nodiscard]] int descriptor_number() const noexcept { return near_.number(); }
+
     /// Sends all bytes. Errors: `transmit_stalled` when no program reads the far end, `device_not_open`,
     /// `device_failed`.
     result<void> write(byte_view bytes, instant until) const { return near_.write(bytes, until); }
