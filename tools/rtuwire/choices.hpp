@@ -105,6 +105,15 @@ struct check_choices {
     std::string junit{};     ///< a file
 };
 
+/// A line between two ports that is disturbed.
+struct chaos_choices {
+    std::string from{}; ///< where the client is
+    std::string to{};   ///< where the server is
+    std::string faults{};
+    std::uint32_t seed{1};
+    bool is_dry{false};
+};
+
 struct choices {
     std::string command{};
     output_form form{output_form::table};
@@ -115,6 +124,7 @@ struct choices {
     motion_choices motion{};
     restore_choices restore{};
     check_choices check{};
+    chaos_choices chaos{};
 
     std::vector<std::string> words{}; ///< registers, bytes, drives
     bool finds_setting{false};        ///< tries the usual bit rates and formats

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "chaos/line_fault.hpp"
 #include "help/tool_texts.hpp"
 #include "words/time_words.hpp"
 
@@ -364,6 +365,35 @@ void add_check(CLI::App& app, choices& chosen)
         check, "Exit status: 0 all musts hold, 1 not. It only reads, and sends frames that are damaged or for nobody.");
 }
 
+void add_chaos(CLI::App& app, choices& chosen)
+{
+    CLI::App& chaos = add_command(app, chosen, "chaos", "a line that misbehaves, between a client and a server");
+    chaos.add_option("--from", chosen.chaos.from, "the client's port: pty makes one, whose name it says");
+    chaos.add_option("--to", chosen.chaos.to, "the server's port, as --port takes it, or pty");
+    chaos
+        .add_option_function<std::vector<std::string>>(
+            "--faults",
+            [&chosen](std::vector<std::string> const& typed) {
+                for (std::string const& each : typed) {
+                    chosen.chaos.faults += (chosen.chaos.faults.empty() ? "" : ",") + each;
+                }
+            },
+            "what is played, and how often or at which frame: late=1%,lost@250x5,delay=5%:30ms")
+        ->allow_extra_args(false);
+    chaos.add_option("--seed", chosen.chaos.seed, "the same number and the same bytes make the same decisions")
+        ->capture_default_str();
+    chaos.add_flag("--dry", chosen.chaos.is_dry, "show what each fault would meet, and open nothing");
+    chaos.add_option("-o,--output", chosen.file, "a file for Wireshark that says of each frame what was done to it");
+    add_time_limit(chaos, chosen);
+    add_to_footer(chaos, "--timeout is the client's, 1 s where it is not said. Each of these may happen to an answer, "
+                         "the echo to its request:\n" +
+                             faults_text() +
+                             "and to a request, as request-lost and so on: delay, lost, damaged, lumps, split, cut.\n"
+                             "=1% of the frames, @250 the frame with this number, @250x5 five from it on, :30ms the "
+                             "time.\n"
+                             "For benches: who asks again gives a command again, and a late stop stops late.");
+}
+
 /// What the program says of itself.
 void add_own_texts(CLI::App& app, choices& chosen)
 {
@@ -387,6 +417,7 @@ void add_words(CLI::App& app, choices& chosen)
     add_line_tools(app, chosen);
     add_device(app, chosen);
     add_check(app, chosen);
+    add_chaos(app, chosen);
     add_own_texts(app, chosen);
 }
 

@@ -18,7 +18,7 @@ exit_status run_capture(choices const& chosen)
     line_calendar const calendar{unix_now()};
     capture_output file{chosen.file,
                         {.form = capture_form_in(chosen.capture_form), .bits_per_second = chosen.line.baud},
-                        port,
+                        port.device(),
                         calendar};
     listen(
         port, chosen, calendar,

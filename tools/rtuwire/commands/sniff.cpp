@@ -25,8 +25,9 @@ std::unique_ptr<capture_output> kept(choices const& chosen, any_port const& port
     }
     return chosen.file.empty()
                ? nullptr
-               : std::make_unique<capture_output>(
-                     chosen.file, rtuwire::capture_options{.bits_per_second = chosen.line.baud}, port, calendar);
+               : std::make_unique<capture_output>(chosen.file,
+                                                  rtuwire::capture_options{.bits_per_second = chosen.line.baud},
+                                                  port.device(), calendar);
 }
 
 } // namespace

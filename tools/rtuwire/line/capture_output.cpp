@@ -6,31 +6,40 @@
 #include <cstring>
 #include <utility>
 
+#include <rtuwire/port.hpp>
+
+#include "capture/commented_block.hpp"
 #include "exit_status.hpp"
 
 namespace tool {
 
-capture_output::capture_output(std::string const& file, rtuwire::capture_options options, any_port const& port,
+capture_output::capture_output(std::string const& file, rtuwire::capture_options options, std::string const& line,
                                line_calendar const& calendar)
-    : capture_output{file, stream{file == "-" ? stdout : std::fopen(file.c_str(), "wb"), &std::fclose}, options, port,
+    : capture_output{file, stream{file == "-" ? stdout : std::fopen(file.c_str(), "wb"), &std::fclose}, options, line,
                      calendar}
 {}
 
 capture_output::capture_output(std::string const& name, stream file, rtuwire::capture_options options,
-                               any_port const& port, line_calendar const& calendar)
+                               std::string const& line, line_calendar const& calendar)
     : name_{name}, file_{std::move(file)}, calendar_{calendar}
 {
     if (not file_) {
         fail();
     }
-    options.interface_name = port.device();
-    rtuwire::instant const now = port.now();
+    options.interface_name = line;
+    rtuwire::instant const now = rtuwire::steady_now();
     write(blocks_.begin(options, {.unix_microseconds = calendar.of(now), .at = now}));
 }
 
 void capture_output::put(rtuwire::traced_frame const& frame)
 {
     write(blocks_.packet(frame));
+    ++frames_;
+}
+
+void capture_output::put(rtuwire::traced_frame const& frame, std::string const& comment)
+{
+    write(commented(blocks_.packet(frame), comment));
     ++frames_;
 }
 

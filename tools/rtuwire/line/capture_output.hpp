@@ -12,7 +12,6 @@
 #include <rtuwire/trace.hpp>
 
 #include "line/line_calendar.hpp"
-#include "port/any_port.hpp"
 
 namespace tool {
 
@@ -22,13 +21,15 @@ public:
 
     /// Opens the file ("-": standard output) and says which line it is of. The bit rate is in `options`. Ends where the
     /// file cannot be written, as do all others. The calendar must outlive it.
-    capture_output(std::string const& file, rtuwire::capture_options options, any_port const& port,
+    capture_output(std::string const& file, rtuwire::capture_options options, std::string const& line,
                    line_calendar const& calendar);
     /// The same with a file that is open.
-    capture_output(std::string const& name, stream file, rtuwire::capture_options options, any_port const& port,
+    capture_output(std::string const& name, stream file, rtuwire::capture_options options, std::string const& line,
                    line_calendar const& calendar);
 
     void put(rtuwire::traced_frame const& frame);
+    /// With a sentence of its own, which Wireshark shows as the comment of the packet.
+    void put(rtuwire::traced_frame const& frame, std::string const& comment);
     /// The line was silent until then, now.
     void advance(rtuwire::instant now) { blocks_.advance(now, calendar_.of(now)); }
 

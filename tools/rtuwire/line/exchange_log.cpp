@@ -131,7 +131,7 @@ exchange_log exchange_log::of(line_choices const& chosen, line_setting const& ho
         keep(chosen, [&] {
             exchange_kept().file = std::make_unique<capture_output>(
                 chosen.trace_file, exchange_kept().opened.take(), rtuwire::capture_options{.bits_per_second = how.baud},
-                port, exchange_kept().calendar);
+                port.device(), exchange_kept().calendar);
         });
     }
     exchange_log log;
