@@ -9,6 +9,9 @@
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/host_lookup.hpp>
+#include <rtuwire/port/mbap.hpp>
+#include <rtuwire/port/mbap_listener.hpp>
+#include <rtuwire/port/mbap_stream.hpp>
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
 #include <rtuwire/port/serial_settings.hpp>

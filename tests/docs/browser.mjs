@@ -29,7 +29,7 @@ const wanted = {"xyzzy": null, "blocking_client": "blocking_client", "wiring": "
     "illegal data address": "illegal_data_address", "time-out": "TTO", "timeout of a drive": "TTO", "watchdog": "TTO", "heartbeat": "TTO",
     "baud": "bit rate", "parity": "bit rate", "8n1": "bit rate", "rs485": "common", "rs-485": "common", "de pin": "driver_enable",
     "driver enable": "driver_enable", "half duplex": "driver_enable", "termination": "termination", "atv12 scanner": "cyclic", "stop motor": "stop_by",
-    "quick stop": "stop_by", "emergency stop": "hardware", "esp32": "UART", "stm32": "interrupt_queue", "platformio": "lib_deps", "modbus tcp": "tcp_stream",
+    "quick stop": "stop_by", "emergency stop": "hardware", "esp32": "UART", "stm32": "interrupt_queue", "platformio": "lib_deps", "modbus tcp": "mbap_stream",
     "windows": "POSIX", "write register": "write_single_register", "read holding registers": "read_holding_registers", "endian": "word_order",
     "word order": "word_order", "dma": "response_frame", "latency": "adapters", "acceleration ramp": "ACC", "slf": "reset_fault", "python": "--json",
     "install": "include/", "license": "BSL-1.0", "slave": "server", "master": "client", "thread": "one context", "no response": "timed_out",

@@ -28,7 +28,7 @@ MAY_INCLUDE = {
     "sim/drive": {"server", "altivar/device"},
     "sim/line": {"rtu"},
     "sim/bench.hpp": {"client", "server", "sim/drive", "sim/line"},
-    "port": {"core", "rtu/line.hpp", "wire/errc.hpp", "wire/errc_name.hpp", "table/register_text.hpp"},
+    "port": {"core", "rtu/line.hpp", "wire/adu.hpp", "wire/errc.hpp", "wire/errc_name.hpp", "table/register_text.hpp"},
 }
 UMBRELLA = "rtuwire.hpp"
 # A thousand registers, which only a program that asks for them compiles, and what is done with all of them: these rooms,

@@ -312,11 +312,11 @@ public:
     [[nodiscard]] constexpr bool is_at_start() const noexcept { return not waits_for_silence(); }
 
     /// Whether something is being received that silence ends. On a host, where no wire may lose bytes, it does not while a
-    /// response tells that more of it is to come: the time limit of its request ends that.
+    /// response tells that more of it is to come: the time limit of its request ends that. One with a number came whole.
     [[nodiscard]] constexpr bool ends_by_silence(memory const& in) const noexcept
     {
         if constexpr (has_system and Place::has_front) {
-            if (not in.timing().has_wire() and lacks_bytes()) {
+            if (not in.timing().has_wire() and not in.timing().has_numbers() and lacks_bytes()) {
                 return false;
             }
         }

@@ -110,6 +110,17 @@ public:
         return line;
     }
 
+    /// Times for what is no wire either, and numbers each response as its request (Modbus TCP): it comes whole, needs no
+    /// silence, and one that is late is known by its number. So a client on a host keeps no unit from being asked because
+    /// of responses that are outstanding; one on a microcontroller does. For a port that lets no other response pass, as
+    /// `mbap_stream` does.
+    [[nodiscard]] static constexpr line_timing numbered() noexcept
+    {
+        line_timing line = without_wire(milliseconds(1));
+        line.t3_5_ = duration{};
+        return line;
+    }
+
     /// The same with another silence before sending than t3.5: more for units that miss a request that comes that soon,
     /// less behind an adapter that hands bytes over late, so that the line has rested already. At most 40 s. It changes
     /// nothing of when a frame ends.
@@ -136,6 +147,9 @@ public:
 
     /// Whether bytes take time on a wire, which may lose some; not so of `without_wire`.
     [[nodiscard]] constexpr bool has_wire() const noexcept { return character_.microseconds != 0; }
+
+    /// Whether the number of a response tells its request, as of `numbered`.
+    [[nodiscard]] constexpr bool has_numbers() const noexcept { return t3_5_.microseconds == 0; }
 
     /// The time that `count` characters take, at most a frame's: 47 s at 65 bit/s and 12 bits.
     [[nodiscard]] constexpr duration characters(std::size_t count) const noexcept

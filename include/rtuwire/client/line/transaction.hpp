@@ -427,12 +427,27 @@ private:
     {
         leave_begun();
         error_ = error;
+        if constexpr (has_system) {
+            if (line().has_numbers()) { // no response is taken for another's, whenever it comes
+                return settle_with_number(now);
+            }
+        }
         bool const owes = retries_.unanswered() != 0;
         if (owes or (retries_.pause() != duration{} and not is_broadcast())) {
             bool const has_response = not owes or error_ == errc::none or is_exception(error_);
             duration const late = late_response();
             quarantine_.begin(held_unit(),
                               has_response ? now + retries_.all_that_follow(now, late) : retries_.owed_until(now));
+        }
+        phase_ = phase::settled;
+        deadline_ = now;
+    }
+
+    /// The end of `settle` on a line with numbers: its unit may have a pause, and owes nothing that matters.
+    constexpr void settle_with_number(instant now) noexcept
+    {
+        if (retries_.pause() != duration{} and not is_broadcast()) {
+            quarantine_.begin(held_unit(), now + retries_.pause());
         }
         phase_ = phase::settled;
         deadline_ = now;
