@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-# Drawn values of every type, read and written by the tool, against the memory of four servers of others: libmodbus, pymodbus,
+# Drawn values of every type, read and written by the tool on a line and over Modbus TCP, against the memory of four servers of others: libmodbus, pymodbus,
 # and modbus-serial and jsmodbus of npm; ten times as many drawn command lines; and all servers with one defect. Installs what it needs.
 #
 #   sh tests/interop/drawn_values.sh [COUNT [SEED]]
@@ -23,8 +23,13 @@ for server in "build/release/tests/interop/memory_libmodbus" "/usr/bin/python3 -
     "node tests/interop/memory_npm.js modbus-serial" "node tests/interop/memory_npm.js jsmodbus"; do
     printf '\n== %s ==\n' "$server"
     # shellcheck disable=SC2086 # a list of words
-    NODE_PATH=$packages/node_modules /usr/bin/python3 -B tests/tool/drawn_values.py \
-        build/release/tools/rtuwire/rtuwire "$count" "$seed" $server || failed="$failed; $server"
+    NODE_PATH=$packages/node_modules /usr/bin/python3 -B tests/tool/modbus_tcp.py \
+        build/release/tools/rtuwire/rtuwire others $server || failed="$failed; $server, Modbus TCP"
+    for form in "" mbap; do
+        # shellcheck disable=SC2086 # lists of words
+        NODE_PATH=$packages/node_modules /usr/bin/python3 -B tests/tool/drawn_values.py \
+            build/release/tools/rtuwire/rtuwire "$count" "$seed" $form $server || failed="$failed; $server $form"
+    done
 done
 printf '\n== command lines ==\n'
 /usr/bin/python3 -B tests/tool/drawn_lines.py build/release/tools/rtuwire/rtuwire "${count}0" "$seed" || failed="$failed; command lines"

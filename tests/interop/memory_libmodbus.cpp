@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A server of libmodbus whose memory is set and told on its standard input and output: unit 1, each space as many addresses.
 //
-//   memory_libmodbus DEVICE FIRST COUNT [usual]
+//   memory_libmodbus DEVICE FIRST COUNT [usual]        (mbap:1502 for a device: Modbus TCP on that port of this machine)
 //
 // It waits for its response time-out before some of its exceptions: for 2 ms here. With `usual` it is asked nothing and does as its
 // examples do: it waits in modbus_receive, with the default of 500 ms.
@@ -91,40 +91,77 @@ private:
     std::set<int> lacking_{};
 };
 
-void answer(modbus_t* line, memory& held)
+/// False where the other end has gone.
+bool answer(modbus_t* line, memory& held)
 {
-    std::uint8_t request[MODBUS_RTU_MAX_ADU_LENGTH];
+    std::uint8_t request[MODBUS_TCP_MAX_ADU_LENGTH];
     int const size = modbus_receive(line, request);
     if (size <= 0) {
-        return;
+        return size == 0;
     }
-    if (held.lacks(request[1])) {
+    if (held.lacks(request[modbus_get_header_length(line)])) {
         modbus_reply_exception(line, request, MODBUS_EXCEPTION_ILLEGAL_FUNCTION);
     } else {
         modbus_reply(line, request, size, held.bank());
     }
+    return true;
 }
+
+/// On a serial device, or a port of this machine, where one client after another is served.
+class served_line {
+public:
+    explicit served_line(std::string const& device) : is_tcp_{device.rfind("mbap:", 0) == 0}
+    {
+        line_ = is_tcp_ ? modbus_new_tcp("127.0.0.1", std::stoi(device.substr(5)))
+                        : modbus_new_rtu(device.c_str(), 115'200, 'N', 8, 1);
+        if (line_ != nullptr and modbus_set_slave(line_, 1) == 0) {
+            socket_ = is_tcp_                      ? modbus_tcp_listen(line_, 1)
+                      : modbus_connect(line_) == 0 ? modbus_get_socket(line_)
+                                                   : -1;
+        }
+    }
+
+    bool is_open() const { return socket_ >= 0; }
+    void refuse_soon() { modbus_set_response_timeout(line_, 0, 2000); }
+    int socket() const { return has_client_ ? modbus_get_socket(line_) : socket_; }
+
+    void serve(memory& held)
+    {
+        if (is_tcp_ and not has_client_) {
+            has_client_ = modbus_tcp_accept(line_, &socket_) >= 0;
+        } else if (not answer(line_, held) and is_tcp_) {
+            modbus_close(line_);
+            has_client_ = false;
+        }
+    }
+
+private:
+    bool is_tcp_;
+    bool has_client_{false};
+    modbus_t* line_{nullptr};
+    int socket_{-1};
+};
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-    modbus_t* const line = argc == 4 or argc == 5 ? modbus_new_rtu(argv[1], 115'200, 'N', 8, 1) : nullptr;
-    if (line == nullptr or modbus_set_slave(line, 1) != 0 or modbus_connect(line) != 0) {
+    served_line line{argc == 4 or argc == 5 ? argv[1] : ""};
+    if (not line.is_open()) {
         std::fprintf(stderr, "libmodbus cannot serve on the device\n");
         return 2;
     }
     memory held{static_cast<unsigned>(std::stoul(argv[2])), std::stoi(argv[3])};
     std::cout << "ready" << std::endl;
     while (argc == 5) {
-        answer(line, held);
+        line.serve(held);
     }
-    modbus_set_response_timeout(line, 0, 2000);
+    line.refuse_soon();
     for (;;) {
-        pollfd both[]{{STDIN_FILENO, POLLIN, 0}, {modbus_get_socket(line), POLLIN, 0}};
+        pollfd both[]{{STDIN_FILENO, POLLIN, 0}, {line.socket(), POLLIN, 0}};
         poll(both, 2, -1);
         if (both[1].revents != 0) {
-            answer(line, held);
+            line.serve(held);
         }
         std::string words;
         if (both[0].revents != 0) {

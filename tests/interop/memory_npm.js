@@ -4,11 +4,14 @@
 // memory_libmodbus.cpp has it. jsmodbus has all addresses up to the last, from 0.
 //
 //   NODE_PATH=... node memory_npm.js modbus-serial|jsmodbus DEVICE FIRST COUNT [usual]
+//
+// mbap:1502 for a device: Modbus TCP on that port of this machine.
 "use strict";
 const readline = require("readline");
 
 const [kind, device, first, count, times] = process.argv.slice(2).map((word) => (/^\d+$/.test(word) ? Number(word) : word));
 const lacking = new Set();
+const tcp = device.startsWith("mbap:") ? Number(device.slice(5)) : 0;
 
 // For modbus-serial: a function per value, which throws what it refuses.
 function ofModbusSerial() {
@@ -32,8 +35,8 @@ function ofModbusSerial() {
         const places = (isArray ? given : [given]).map((_, i) => at(address + i)); // all or nothing
         places.forEach((place, i) => (all[space][place] = Number(isArray ? given[i] : given)));
     };
-    const ServerSerial = require("modbus-serial").ServerSerial;
-    const server = new ServerSerial({
+    const { ServerSerial, ServerTCP } = require("modbus-serial");
+    const held = {
         getCoil: (address) => all.coil[at(address)] !== 0,
         getDiscreteInput: (address) => all.discrete[at(address)] !== 0,
         getHoldingRegister: (address) => all.holding[at(address)],
@@ -42,7 +45,9 @@ function ofModbusSerial() {
         setCoilArray: writes("coil", 15, true),
         setRegister: writes("holding", 6, false),
         setRegisterArray: writes("holding", 16, true),
-    }, { port: device, baudRate: 115200, unitID: 1, ...(times === "usual" ? {} : { interval: 4 }) });
+    };
+    const server = tcp ? new ServerTCP(held, { host: "127.0.0.1", port: tcp, unitID: 1 })
+        : new ServerSerial(held, { port: device, baudRate: 115200, unitID: 1, ...(times === "usual" ? {} : { interval: 4 }) });
     return {
         opened: (then) => server.on("initialized", then),
         put: (space, address, word) => (all[space][at(address)] = word),
@@ -51,7 +56,6 @@ function ofModbusSerial() {
 }
 
 function ofJsmodbus() {
-    const { SerialPort } = require("serialport");
     const jsmodbus = require("jsmodbus");
     const path = require("path").dirname(require.resolve("jsmodbus"));
     const { ExceptionResponseBody } = require(path + "/response");
@@ -69,12 +73,16 @@ function ofJsmodbus() {
         holding: Buffer.alloc(2 * (first + count)), input: Buffer.alloc(2 * (first + count)),
         coils: Buffer.alloc((first + count) / 8), discrete: Buffer.alloc((first + count) / 8),
     };
-    const port = new SerialPort({ path: device, baudRate: 115200 });
-    new jsmodbus.server.RTU(port, memory);
+    const port = tcp ? new (require("net").Server)()
+        : new (require("serialport").SerialPort)({ path: device, baudRate: 115200 });
+    new jsmodbus.server[tcp ? "TCP" : "RTU"](port, memory);
+    if (tcp) {
+        port.listen(tcp, "127.0.0.1");
+    }
     const bits = (space) => (space === "coil" ? memory.coils : memory.discrete);
     const isBits = (space) => space === "coil" || space === "discrete";
     return {
-        opened: (then) => port.on("open", then),
+        opened: (then) => port.on(tcp ? "listening" : "open", then),
         put: (space, address, word) => {
             if (!isBits(space)) {
                 memory[space].writeUInt16BE(word, 2 * address);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """A server of pymodbus whose memory is set and told on its standard input and output, as memory_libmodbus.cpp has it.
 
-    python3 memory_pymodbus.py DEVICE FIRST COUNT
+    python3 memory_pymodbus.py DEVICE FIRST COUNT        mbap:1502 for a device: Modbus TCP on that port of this machine
 """
 import asyncio
 import sys
@@ -13,7 +13,7 @@ from pymodbus.device import ModbusDeviceIdentification
 from pymodbus.pdu import ModbusExceptions
 from pymodbus.register_write_message import (MaskWriteRegisterRequest, WriteMultipleRegistersRequest,
                                              WriteSingleRegisterRequest)
-from pymodbus.server import StartAsyncSerialServer
+from pymodbus.server import StartAsyncSerialServer, StartAsyncTcpServer
 from pymodbus.transaction import ModbusRtuFramer
 
 CODES = {"coil": 1, "discrete": 2, "holding": 3, "input": 4}
@@ -44,16 +44,23 @@ async def serve(device, first, count):
     def block(value):
         return ModbusSequentialDataBlock(int(first), [value] * int(count))
     unit = ModbusSlaveContext(hr=block(0), ir=block(0), co=block(False), di=block(False), zero_mode=True)
-    # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
-    server = await StartAsyncSerialServer(ModbusServerContext(slaves={1: unit, 2: unit}, single=False), framer=ModbusRtuFramer,
-                                          port=device, baudrate=115200, parity="N", stopbits=1,
-                                          identity=ModbusDeviceIdentification(info={0: "pymodbus", 1: "memory", 2: "1"}),
-                                          ignore_missing_slaves=True, defer_start=True)
-    await server.start()
+    units = ModbusServerContext(slaves={1: unit, 2: unit}, single=False)
+    how = {"identity": ModbusDeviceIdentification(info={0: "pymodbus", 1: "memory", 2: "1"}),
+           "ignore_missing_slaves": True, "defer_start": True}
+    if device.startswith("mbap:"):
+        server = await StartAsyncTcpServer(units, address=("127.0.0.1", int(device[5:])), **how)
+    else:
+        # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
+        server = await StartAsyncSerialServer(units, framer=ModbusRtuFramer, port=device, baudrate=115200, parity="N",
+                                              stopbits=1, **how)
+        await server.start()
     asyncio.get_running_loop().add_reader(
         sys.stdin, lambda: print(told(unit, sys.stdin.readline().split()), flush=True))
+    serving = asyncio.ensure_future(server.serve_forever())
+    if device.startswith("mbap:"):
+        await server.serving
     print("ready", flush=True)
-    await server.serve_forever()
+    await serving
 
 
 asyncio.run(serve(*sys.argv[1:]))

@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -255,6 +256,22 @@ TEST_CASE("drives behind a serial device server answer until it is killed")
     server.kill();
     CHECK(read_status(port, 7) == errc::device_vanished);
     CHECK(port.failure().find("127.0.0.1:" + std::to_string(number) + ": the connection is gone") == 0);
+}
+
+TEST_CASE("over Modbus TCP a frame goes as a message, without the CRC that was made up")
+{
+    any_port port;
+    CHECK(port.open(described("mbap://127.0.0.1:" + std::to_string(free_port()))) == errc::device_not_found);
+    CHECK(port.has_numbers());
+    std::array<std::byte, 260> place{};
+    auto const frame = "07 06 21 35 00 00 93 9E"_hex;
+    auto const hex = [](byte_view bytes) { return std::vector<std::byte>{bytes.begin(), bytes.end()}; };
+    CHECK(hex(port.as_sent(frame, place)) == hex("FF FF 00 00 00 06 07 06 21 35 00 00"_hex));
+    CHECK(hex(port.passed(frame)) == hex("07 06 21 35 00 00"_hex));
+    any_port other;
+    CHECK_FALSE(other.has_numbers());
+    CHECK(hex(other.as_sent(frame, place)) == hex(frame));
+    CHECK(hex(other.passed(frame)) == hex(frame));
 }
 
 TEST_CASE("what does not open says so with its name")

@@ -13,7 +13,7 @@ import sys
 
 from support import DIFFERS, DONE, HERE, PORT, REFUSED, USAGE, Tool, runs
 
-from pair import Programs  # noqa: I100
+from pair import Programs, free_port  # noqa: I100
 
 FILE = """
 [[register]]
@@ -71,6 +71,15 @@ def run_one(tool, command):
     return tool.run("--no-listen", "-u", 1, *words)
 
 
+def over_tcp(check, tool, others, server, command):
+    """The same server at a port of this machine."""
+    number = free_port()
+    others.serve(f"mbap:{number}", server, stdin=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    words = shlex.split(command)
+    ended = tool.run("-u", 1, *words[2:], port=f"mbap://127.0.0.1:{number}")
+    check(ended.status == DONE and "40  " in ended.output, command, ended)
+
+
 def main(check, program, page):
     rows = commands_of(page)
     check(len(rows) == ROWS and sum(bool(each) for each in rows) == ROWS, f"{ROWS} rows", rows)
@@ -80,8 +89,9 @@ def main(check, program, page):
         server = [sys.executable, "-B", str(HERE.parent / "interop" / "memory_pymodbus.py"), "@", "0", "300"]
         others.serve(near_end, server, stdin=subprocess.PIPE, stderr=subprocess.DEVNULL)
         for command in (each for row in rows for each in row):
-            if command.startswith("tcp://"):
-                continue  # others_servers.py
+            if command.startswith("-p mbap://"):
+                over_tcp(check, tool, others, server, command)
+                continue
             if command.startswith("simulate"):
                 served = tool.start(*shlex.split(command))
                 check("unit 61" in served.stdout.readline(), command)

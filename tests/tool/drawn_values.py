@@ -3,10 +3,10 @@
 """Values of drawn types, orders, scales and addresses, of servers that nobody here wrote: what the tool says of a value and
 what it writes is held against the server's own memory, as Python's struct and fractions have it.
 
-    python3 drawn_values.py TOOL COUNT SEED SERVER [WORD...]
+    python3 drawn_values.py TOOL COUNT SEED [mbap] SERVER [WORD...]
 
 SERVER is the command of memory_libmodbus.cpp, memory_pymodbus.py or memory_npm.js; device, first address and number of
-addresses are added. COUNT values are read and COUNT written, a third each to a unit that has all functions, to one without
+addresses are added; with mbap it is asked over Modbus TCP. COUNT values are read and COUNT written, a third each to a unit that has all functions, to one without
 15 and 16, and to one without 05, 06 and 22.
 """
 import fractions
@@ -18,7 +18,7 @@ import sys
 
 from support import DIFFERS, DONE, REFUSED, Tool, runs
 
-from pair import Programs  # noqa: I100
+from pair import Programs, free_port  # noqa: I100
 
 FIRST, COUNT = 65236, 300  # up to the last address; no drive of this program has its words there
 SPACES = {"holding": "h", "input": "i", "coil": "c", "discrete": "d"}
@@ -346,8 +346,11 @@ def main(check, program, count, seed, *command):
     print("seed", seed)
     chance = random.Random(int(seed))
     with Tool(program) as tool, Programs() as others:
-        near_end, far_end = others.line()
-        tool.port = far_end
+        if command[0] == "mbap":
+            command, number = command[1:], free_port()
+            near_end, tool.port = f"mbap:{number}", f"mbap://127.0.0.1:{number}"
+        else:
+            near_end, tool.port = others.line()
         server = Server(others, near_end, command)
         for space in SPACES:
             server.set(space, FIRST, [chance.randrange(2 if space in ("coil", "discrete") else 0x10000) for _ in range(COUNT)])

@@ -81,6 +81,24 @@ TEST_CASE("a host with its port")
     CHECK(port("tcp://[fe80::1%eth0]:1") == port_description{tcp_address{"fe80::1%eth0", 1}});
 }
 
+TEST_CASE("a server of Modbus TCP, whose port is 502 where none is named")
+{
+    CHECK(port("mbap://plc-7.example") == port_description{mbap_address{"plc-7.example", 502}});
+    CHECK(port("MBAP://10.0.0.9:1502") == port_description{mbap_address{"10.0.0.9", 1502}});
+    CHECK(port("mbap://[::1]") == port_description{mbap_address{"::1", 502}});
+    CHECK(port("mbap://[fe80::1%eth0]:1") == port_description{mbap_address{"fe80::1%eth0", 1}});
+    CHECK_FALSE(port("tcp://host:502") == port("mbap://host"));
+    CHECK(refused("mbap://host:").nearest == "mbap://host");
+    CHECK(refused("mbap://host:0").nearest == "mbap://host");
+    CHECK(refused("mbap://host:65536").nearest == "mbap://host");
+    CHECK(refused("mbap://host/1").nearest == "mbap://host");
+    CHECK(refused("mbap://::1:502").nearest == "mbap://[::1]:502");
+    CHECK(refused("mbap:host").nearest == "mbap://host");
+    CHECK(refused("mbpa://host:502").nearest == "mbap://host:502");
+    CHECK(has(refused("mbap://").sentence, "no host"));
+    CHECK(has(refused("mbap://:502").sentence, "it is like mbap://host"));
+}
+
 TEST_CASE("simulated drives with their units")
 {
     using choice = simulated_drives_choice;
@@ -140,7 +158,8 @@ TEST_CASE("a wrong simulated drive says which there are, and the nearest")
 TEST_CASE("whatever is mistyped, what is proposed is right")
 {
     unsigned refusals = 0;
-    for (std::string const right : {"tcp://host:4001", "tcp://[::1]:4001", "sim:atv320:7,atv12:3", "sim:atv28"}) {
+    for (std::string const right : {"tcp://host:4001", "tcp://[::1]:4001", "mbap://host", "mbap://[::1]:502",
+                                    "sim:atv320:7,atv12:3", "sim:atv28"}) {
         for (std::size_t at = 0; at <= right.size(); ++at) {
             for (std::string const other : {"", "[", "]", ":", "/", ",", "x", "0", " ", "-"}) {
                 for (std::size_t const left_out : {0U, 1U, 2U}) {

@@ -5,6 +5,7 @@
 // handler may not use.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -23,14 +24,24 @@ namespace tool {
 /// The frame that stops the motor and the line it goes to; no line while no motor is commanded.
 struct emergency_stop {
     int volatile line{-1};
-    std::array<std::byte, 8> frame{};
+    std::array<std::byte, 260> frame{};
+    std::size_t size{0};
 
-    /// `port` is any that has a `descriptor_number()`; `command` is the address of the drive's control word.
+    /// `port` is any that has a `descriptor_number()`, and `as_sent` where a frame goes there in another form; `command` is
+    /// the address of the drive's control word.
     template <typename Port> void arm(Port const& port, rtuwire::unit_id drive, std::uint16_t command)
     {
         constexpr std::uint16_t disable_voltage = 0;
+        std::array<std::byte, 8> place{};
+        std::array<std::byte, 260> other_form{};
         auto const written =
-            rtuwire::encode_into(frame, drive, rtuwire::write_single_register{command, disable_voltage});
+            rtuwire::encode_into(place, drive, rtuwire::write_single_register{command, disable_voltage});
+        rtuwire::byte_view sent = written ? rtuwire::byte_view{*written} : rtuwire::byte_view{};
+        if constexpr (requires { port.as_sent(sent, other_form); }) {
+            sent = port.as_sent(sent, other_form);
+        }
+        std::copy(sent.begin(), sent.end(), frame.begin());
+        size = sent.size();
         line = written ? port.descriptor_number() : -1;
     }
 
@@ -47,7 +58,7 @@ struct emergency_stop {
             // The port does not block. What it does not take is lost, and sent again.
             ssize_t written = -1;
             do {
-                written = ::write(target, frame.data(), frame.size());
+                written = ::write(target, frame.data(), size);
             } while (written < 0 and errno == EINTR);
         }
         if (target >= 0) {

@@ -458,6 +458,25 @@ std::optional<obstacle> checked_unit::obstacle_of(std::string_view need) const
                       : found{{true, "the unit does not have function " + std::to_string(number)}};
 }
 
+/// Over Modbus TCP only whole frames to the unit alone go, as a message each.
+bool checked_unit::needs_serial_line(clause const& which) const
+{
+    constexpr std::string_view whole_groups[]{"link", "hostile", "08"}; // 08 is of serial lines (AP 6.8)
+    bool const is_first = which.id == "L01";
+    if (not is_first and std::ranges::count(whole_groups, which.group) > 0) {
+        return true;
+    }
+    return std::ranges::any_of(steps_of(which.sends), [&](std::string_view step) {
+        if (step.starts_with('@')) {
+            return false;
+        }
+        auto const pieces = pieces_of(step, where_);
+        line_bytes const& frame = pieces.front().bytes;
+        return pieces.size() != 1 or frame.size() < rtuwire::min_adu_size or frame.size() > rtuwire::max_adu_size or
+               not has_right_crc(frame) or frame[0] != std::byte{where_.unit};
+    });
+}
+
 std::optional<obstacle> checked_unit::why_not_asked(clause const& which) const
 {
     std::string_view rest = which.needs;
@@ -473,6 +492,9 @@ std::optional<obstacle> checked_unit::why_not_asked(clause const& which) const
     }
     if (which.state == clause_state::coils and not where_.scratch_coil) {
         return obstacle{false, "it writes: --scratch-coils names 16 coils that may be changed"};
+    }
+    if (line_.has_numbers() and needs_serial_line(which)) {
+        return obstacle{true, "it needs a serial line: Modbus TCP has no CRC, no silence and no broadcast"};
     }
     return std::nullopt;
 }

@@ -86,6 +86,7 @@ public:
 
 private:
     bool is_needed(std::string_view need) const;
+    bool needs_serial_line(clause const& which) const;
     bool reads(std::string_view words, std::size_t data);
     std::optional<std::uint16_t> first_readable(unsigned function);
     std::optional<std::uint16_t> first_missing(unsigned function, std::uint16_t there);

@@ -54,6 +54,8 @@ public:
     [[nodiscard]] line_time longest_wait() const { return longest_wait_; }
     /// Whether the port has a wire with a bit rate, and no pseudo-terminal or network in its place.
     [[nodiscard]] bool has_wire() const { return has_wire_; }
+    /// Whether it is Modbus TCP, where only whole frames go.
+    [[nodiscard]] bool has_numbers() const { return port_.has_numbers(); }
     /// t3.5, and what the port wants beyond it.
     [[nodiscard]] line_time silence() const;
 

@@ -58,8 +58,9 @@ bool finds_setting(choices const& chosen)
 class scan {
 public:
     explicit scan(choices const& chosen)
-        : chosen_{chosen}, finds_{finds_setting(chosen)}, settings_{finds_ ? usual_settings() : settings_of(chosen)},
-          units_{units_in(chosen.scan.units)}, log_{chosen.scan.resume_file}, results_{chosen.form, true}
+        : chosen_{chosen}, finds_{finds_setting(chosen)}, is_tcp_{is_modbus_tcp(chosen.line)},
+          settings_{finds_ ? usual_settings() : settings_of(chosen)}, units_{units_in(chosen.scan.units)},
+          log_{chosen.scan.resume_file}, results_{chosen.form, true}
     {
         for (record const& each : log_.found()) {
             show(each);
@@ -96,7 +97,7 @@ private:
     {
         bool const is_nobody = count_ == 0 and noted_signal() == 0;
         for (std::string const& each : {is_nobody ? nobody_text() : setting_text(), is_nobody ? "" : next_text(),
-                                        is_nobody ? std::string{} : left_.sentence()}) {
+                                        is_nobody ? std::string{} : left_.sentence(), tcp_text_}) {
             if (not each.empty()) {
                 std::fprintf(stderr, "note: %s\n", plain_text(each).c_str());
             }
@@ -196,11 +197,28 @@ private:
         if (finds_) {
             settle(how);
         }
+        if (is_tcp_ and line_) {
+            tcp_text_ = tcp_text(line_->port().words_of_silence(), units.size());
+        }
         line_.reset();
         return true;
     }
 
-    double timeout() const { return chosen_.line.response_timeout.value_or(finds_ ? find_timeout : scan_timeout); }
+    /// What there is to say of a server of Modbus TCP.
+    std::string tcp_text(std::string const& of_port, std::size_t asked) const
+    {
+        constexpr std::size_t least = 8; // so many units in a row are none of a line
+        if (count_ == asked and asked >= least) {
+            return "something answers at every address: a device itself, as a rule, which does not look at the unit";
+        }
+        constexpr std::size_t mark = 2;
+        return of_port.empty() ? of_port : of_port.substr(mark);
+    }
+
+    double timeout() const
+    {
+        return chosen_.line.response_timeout.value_or(finds_ ? find_timeout : is_tcp_ ? gateway_timeout : scan_timeout);
+    }
     double patience() const { return std::max(timeout(), finds_ ? patient_timeout : timeout()); }
 
     /// It listens before the first frame only. What comes late is no response to another's request: each has an address
@@ -255,7 +273,8 @@ private:
         if (status_of(outcome) == exit_status::port) {
             throw ended{exit_status::port, line.port().failure()};
         }
-        return {outcome, line.port().heard() > before};
+        bool const is_absent = rtuwire::is_exception(outcome) and not is_refusal_of_unit(outcome);
+        return is_absent ? asked_once{errc::timed_out, false} : asked_once{outcome, line.port().heard() > before};
     }
 
     void look_at(open_line& line, line_setting const& how, rtuwire::unit_id unit)
@@ -525,12 +544,15 @@ private:
     /// Every drive has it; for any other device an exception is an answer as well.
     static constexpr std::uint16_t asked_register = 3201;
     static constexpr double scan_timeout = 0.2;
+    /// A gateway waits for each unit that is not there, and asks the next one behind that.
+    static constexpr double gateway_timeout = 1.0;
     /// Where there are many settings; most units answer sooner, and who is slower is heard while the next ones are asked.
     static constexpr double find_timeout = 0.05, patient_timeout = 0.5, settle_time = 0.2;
     static constexpr std::uint8_t highest_usual = 10;
 
     choices const& chosen_;
     bool finds_;
+    bool is_tcp_; ///< Modbus TCP
     std::vector<line_setting> settings_;
     std::vector<std::uint8_t> units_;
     scan_log log_;
@@ -547,6 +569,7 @@ private:
     std::optional<line_setting> found_at_{};
     std::size_t done_{0};
     std::size_t count_{0};
+    std::string tcp_text_{};
     std::string last_found_{};
     std::string unknown_{}; ///< the command that asks the first one that is no drive for its registers
     bool has_listened_{false};

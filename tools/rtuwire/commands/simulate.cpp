@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -46,19 +47,19 @@ std::vector<simulated_drive_choice> drives_in(std::vector<std::string> const& wo
     return found.drives;
 }
 
-/// A device, to serve on; nothing else is one.
-std::string device_in(std::string const& word)
+/// A serial device to serve on, or an address to listen at; nothing else is one.
+port_description place_in(std::string const& word)
 {
-    port_choice const which = read_port_word(word);
+    port_choice which = read_port_word(word);
     if (which.refused) {
         refuse_word(which.refused->sentence);
     }
-    auto const* const device = std::get_if<serial_device>(&which.port);
-    if (device == nullptr) {
-        refuse_word("--port " + word + ": drives are simulated on a serial device, such as /dev/ttyUSB0, or on a " +
-                    "pseudo-terminal where no port is given");
+    if (not std::holds_alternative<serial_device>(which.port) and
+        not std::holds_alternative<mbap_address>(which.port)) {
+        refuse_word("--port " + word + ": drives are simulated on a serial device, such as /dev/ttyUSB0, behind " +
+                    "mbap://127.0.0.1:1502, or on a pseudo-terminal where no port is given");
     }
-    return device->path;
+    return std::move(which.port);
 }
 
 /// "1 fault": what happens to unit 1. "1 show": what it does.
@@ -125,18 +126,48 @@ exit_status serve(Port& port, std::string const& path, line_timing const& timing
     return follow_orders(line) ? exit_status::done : exit_status::port;
 }
 
-exit_status serve_on_device(choices const& chosen, std::vector<simulated_drive_choice> const& drives)
+exit_status with_failure(exit_status status, std::string const& failure)
 {
-    auto const set = setting_in(chosen.line);
-    std::string const device = device_in(chosen.line.port);
-    rtuwire::posix_serial port;
-    exit_status const status = port.open(device, serial_settings_in(chosen.line, set))
-                                   ? serve(port, device, line_timing::host(set.baud, set.format), drives, chosen.vendor)
-                                   : exit_status::port;
-    if (not port.failure().empty()) {
-        complain("rtuwire: %s\n", plain_text(port.failure()).c_str());
+    if (not failure.empty()) {
+        complain("rtuwire: %s\n", plain_text(failure).c_str());
     }
     return status;
+}
+
+exit_status serve_on(serial_device const& place, choices const& chosen,
+                     std::vector<simulated_drive_choice> const& drives)
+{
+    auto const set = setting_in(chosen.line);
+    rtuwire::posix_serial port;
+    exit_status const status =
+        port.open(place.path, serial_settings_in(chosen.line, set))
+            ? serve(port, place.path, line_timing::host(set.baud, set.format), drives, chosen.vendor)
+            : exit_status::port;
+    return with_failure(status, port.failure());
+}
+
+/// As behind a gateway.
+exit_status serve_on(mbap_address const& place, choices const& chosen,
+                     std::vector<simulated_drive_choice> const& drives)
+{
+    std::vector<std::uint8_t> units;
+    for (simulated_drive_choice const& each : drives) {
+        units.push_back(each.unit);
+    }
+    rtuwire::mbap_listener port;
+    exit_status const status =
+        port.open(place.host, place.port, units)
+            ? serve(port, port.device(), line_timing::without_wire(rtuwire::milliseconds(5)), drives, chosen.vendor)
+            : exit_status::port;
+    return with_failure(status, port.failure());
+}
+
+exit_status serve_on_port(choices const& chosen, std::vector<simulated_drive_choice> const& drives)
+{
+    port_description const place = place_in(chosen.line.port);
+    auto const* const address = std::get_if<mbap_address>(&place);
+    return address != nullptr ? serve_on(*address, chosen, drives)
+                              : serve_on(std::get<serial_device>(place), chosen, drives);
 }
 
 exit_status serve_on_pseudo_terminal(choices const& chosen, std::vector<simulated_drive_choice> const& drives)
@@ -163,7 +194,7 @@ exit_status run_simulate(choices const& chosen)
     }
     take_signals();
     exit_status const status =
-        chosen.line.port.empty() ? serve_on_pseudo_terminal(chosen, drives) : serve_on_device(chosen, drives);
+        chosen.line.port.empty() ? serve_on_pseudo_terminal(chosen, drives) : serve_on_port(chosen, drives);
     // 1: the drives ended well, but what they said was not taken.
     int const said = end_of_output("rtuwire", static_cast<int>(status));
     return status == exit_status::done and said != 0 ? exit_status::port : status;

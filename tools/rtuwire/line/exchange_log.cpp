@@ -101,12 +101,12 @@ rtuwire::traced_frame in_order(rtuwire::traced_frame frame)
 }
 
 /// "14.250 s  > 01 03 00 00 00 01 84 0A", "14.262 s  < 01 03 02 00 FF damaged".
-void show_frame(rtuwire::traced_frame const& frame)
+void show_frame(rtuwire::traced_frame const& frame, rtuwire::byte_view passed)
 {
     using rtuwire::frame_verdict;
     static std::uint64_t const begin = exchange_kept().calendar.of(frame.at);
     std::uint64_t const ms = (exchange_kept().calendar.of(frame.at) - begin) / 1'000U;
-    std::string const text = hex_of(frame.bytes);
+    std::string const text = hex_of(passed);
     rtuwire::literal const verdict = name(frame.verdict);
     std::array<char, 40> head{};
     std::snprintf(head.data(), head.size(), "%llu.%03u s  %c ", static_cast<unsigned long long>(ms / 1'000U),
@@ -129,13 +129,16 @@ exchange_log exchange_log::of(line_choices const& chosen, line_setting const& ho
 {
     if (exchange_kept().opened) {
         keep(chosen, [&] {
+            // The form is that of a serial line, whose frames have a CRC.
+            bool const is_made_up = port.has_numbers();
             exchange_kept().file = std::make_unique<capture_output>(
-                chosen.trace_file, exchange_kept().opened.take(), rtuwire::capture_options{.bits_per_second = how.baud},
-                port.device(), exchange_kept().calendar);
+                chosen.trace_file, exchange_kept().opened.take(),
+                rtuwire::capture_options{.bits_per_second = is_made_up ? 0 : how.baud},
+                (is_made_up ? "Modbus TCP, CRCs made up: " : "") + port.device(), exchange_kept().calendar);
         });
     }
     exchange_log log;
-    log.is_shown_ = chosen.is_verbose;
+    log.shown_ = chosen.is_verbose ? &port : nullptr;
     return log;
 }
 
@@ -144,8 +147,8 @@ void exchange_log::take(rtuwire::traced_frame const& frame) noexcept
     try {
         owed_.note(frame);
         rtuwire::traced_frame const next = in_order(frame);
-        if (is_shown_) {
-            show_frame(next);
+        if (shown_ != nullptr) {
+            show_frame(next, shown_->passed(next.bytes));
         }
         if (exchange_kept().file) {
             exchange_kept().file->put(next);

@@ -20,7 +20,7 @@ public:
     /// waited for. Ends where that cannot be; where the frames come first (`is_trace_optional`), it is told, and left.
     static void open_file(line_choices const& chosen);
 
-    /// As the choices say. All lines of a run have one file, which begins with the first of them.
+    /// As the choices say, of a port that outlives it. All lines of a run have one file, which begins with the first of them.
     static exchange_log of(line_choices const& chosen, line_setting const& how, any_port const& port);
 
     /// What the units owe by all that passed.
@@ -32,7 +32,7 @@ public:
 
 private:
     owed_answers owed_{};
-    bool is_shown_{false};
+    any_port const* shown_{nullptr}; ///< whose frames are shown, where they are
 };
 
 } // namespace tool

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "line/open_line.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <unistd.h>
@@ -40,14 +41,15 @@ any_port traced_port(line_choices const& chosen, line_setting const& how)
     return open_port(chosen, how);
 }
 
-rtuwire::client_options options_in(line_choices const& chosen)
+rtuwire::client_options options_in(line_choices const& chosen, bool has_numbers)
 {
     rtuwire::client_options options;
     options.response_timeout = seconds_in(chosen.response_timeout.value_or(1.0));
     options.late_response = seconds_in(chosen.late_response);
     options.retries = static_cast<std::uint8_t>(chosen.retries);
-    options.has_line_echo = chosen.has_echo;
-    options.max_leading_noise = static_cast<std::uint8_t>(chosen.noise);
+    // Over Modbus TCP nothing comes back but messages.
+    options.has_line_echo = chosen.has_echo and not has_numbers;
+    options.max_leading_noise = has_numbers ? std::uint8_t{0} : static_cast<std::uint8_t>(chosen.noise);
     return options;
 }
 
@@ -56,7 +58,7 @@ rtuwire::client_options options_in(line_choices const& chosen)
 any_port open_port(line_choices const& chosen, line_setting const& how)
 {
     if (chosen.port.empty()) {
-        refuse_word("which line? say --port /dev/ttyUSB0, tcp://host:4001 or sim:atv320:1");
+        refuse_word("which line? say --port /dev/ttyUSB0, tcp://host:4001, mbap://host or sim:atv320:1");
     }
     port_choice const which = read_port_word(chosen.port);
     if (which.refused) {
@@ -91,12 +93,13 @@ rtuwire::serial_settings serial_settings_in(line_choices const& chosen, line_set
 line_setting setting_in(line_choices const& line) { return {baud_in(line.baud), format_in(line.format)}; }
 
 open_line::open_line(line_choices const& chosen, line_setting const& how)
-    : port_{traced_port(chosen, how)}, options_{options_in(chosen)}, exchange_{exchange_log::of(chosen, how, port_)},
-      client_{port_, port_.timing(), options_}
+    : port_{traced_port(chosen, how)}, options_{options_in(chosen, port_.has_numbers())},
+      exchange_{exchange_log::of(chosen, how, port_)}, client_{port_, port_.timing(), options_}
 {
     client_.trace_to(exchange_);
-    exchange_.owed().begin(options_);
-    if (not chosen.must_not_listen and not port_.is_simulated()) {
+    exchange_.owed().begin(options_, port_.has_numbers());
+    // A server of Modbus TCP lets nobody hear what it says to others.
+    if (not chosen.must_not_listen and not port_.is_simulated() and not port_.has_numbers()) {
         refuse_traffic(port_, seconds_in(chosen.listen));
     }
     if (not port_.is_simulated()) {
@@ -142,23 +145,19 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
     }
     auto const refused = why == errc::timed_out ? std::nullopt : client_.refused();
     if (not refused) {
-        text += why == errc::timed_out ? exchange_.owed().words_of_silence() : "";
-        bool const is_silence = why == errc::timed_out or why == errc::device_vanished;
-        return text +
-               (is_silence and port_.device().ends_with(":502")
-                    ? " (RTU frames with a CRC were sent: port 502 is as a rule Modbus TCP, which this program does "
-                      "not speak; a serial device server has another port)"
-                    : "");
+        return text + (why == errc::timed_out ? exchange_.owed().words_of_silence() + port_.words_of_silence()
+                                              : std::string{});
     }
+    rtuwire::byte_view const bytes = port_.passed(refused->bytes);
     if (why == errc::wrong_length) {
-        text +=
-            ": the unit departs from the function's format: " + std::to_string(refused->bytes.size()) + " bytes came";
-        text += refused->due == 0 ? "" : ", " + std::to_string(refused->due) + " are due";
+        text += ": the unit departs from the function's format: " + std::to_string(bytes.size()) + " bytes came";
+        std::size_t const due = refused->due - std::min(refused->due, refused->bytes.size() - bytes.size());
+        text += due == 0 ? "" : ", " + std::to_string(due) + " are due";
     } else {
-        text += ": " + std::to_string(refused->bytes.size()) + " bytes came";
+        text += ": " + std::to_string(bytes.size()) + " bytes came";
     }
     std::string const cause = why == errc::wrong_length ? "" : cause_of_damage(refused->bytes, refused->asked);
-    return text + ": " + hex_of(refused->bytes) + (cause.empty() ? "" : "; " + cause);
+    return text + ": " + hex_of(bytes) + (cause.empty() ? "" : "; " + cause);
 }
 
 rtuwire::byte_view open_line::refused() const
@@ -179,6 +178,13 @@ exit_status status_of(rtuwire::errc why)
     // Whatever was heard is something else than silence: an exception, a damaged frame, another's response.
     bool const is_silence = why == errc::timed_out or why == errc::cancelled or why == errc::unit_lost;
     return is_silence ? exit_status::no_answer : exit_status::differs;
+}
+
+bool is_refusal_of_unit(rtuwire::errc why)
+{
+    using rtuwire::errc;
+    return rtuwire::is_exception(why) and why != errc::gateway_path_unavailable and
+           why != errc::gateway_target_failed_to_respond;
 }
 
 std::string words_of(rtuwire::errc why)

@@ -127,6 +127,9 @@ private:
 /// What an error means for whoever called the program: silence is `no_answer`, a wrong answer is `differs`.
 exit_status status_of(rtuwire::errc why);
 
+/// Whether it is an exception of the unit itself; two are a gateway's, behind which the unit does not answer.
+bool is_refusal_of_unit(rtuwire::errc why);
+
 /// "no response in time": as the library says it; an exception with its code behind it.
 std::string words_of(rtuwire::errc why);
 

@@ -54,7 +54,7 @@ rtuwire::byte_view whole(byte_view frame)
 
 } // namespace
 
-void owed_answers::begin(rtuwire::client_options const& options)
+void owed_answers::begin(rtuwire::client_options const& options, bool has_numbers)
 {
     using std::chrono::microseconds;
     timeout_ = microseconds{options.response_timeout.microseconds};
@@ -62,6 +62,7 @@ void owed_answers::begin(rtuwire::client_options const& options)
     constexpr std::chrono::seconds least{5};
     longest_ = std::max<clock::duration>(times * (timeout_ + microseconds{options.late_response.microseconds}), least);
     tries_ = 1U + options.retries;
+    has_numbers_ = has_numbers;
 }
 
 void owed_answers::note(rtuwire::traced_frame const& frame)
@@ -79,6 +80,9 @@ void owed_answers::note(rtuwire::traced_frame const& frame)
     if (std::byte const unit = frame.bytes[0]; unit != std::byte{0}) {
         unit_record& of = units_[unit];
         forget_old(of, now);
+        if (has_numbers_) {
+            of.owed.clear();
+        }
         of.owed.push_back({{frame.bytes.begin(), frame.bytes.end()}, now});
     }
 }
@@ -140,7 +144,7 @@ void owed_answers::forget_old(unit_record& of, clock::time_point now) const
 bool owed_answers::hides(byte_view question)
 {
     auto const unit = units_.find(question[0]);
-    if (unit == units_.end() or may_write(function_of(question))) {
+    if (unit == units_.end() or may_write(function_of(question)) or has_numbers_) {
         return false;
     }
     forget_old(unit->second, clock::now());

@@ -27,8 +27,9 @@ public:
     using frame_bytes = std::vector<std::byte>;
 
     /// How often a request is sent, and for how long an answer is owed: ten times as long as the client waits, 5 s at least,
-    /// from the sending on, or from the last thing that was heard behind it.
-    void begin(rtuwire::client_options const& options);
+    /// from the sending on, or from the last thing that was heard behind it. Where answers have numbers, only the last
+    /// sending is.
+    void begin(rtuwire::client_options const& options, bool has_numbers);
 
     /// A frame has passed.
     void note(rtuwire::traced_frame const& frame);
@@ -84,6 +85,7 @@ private:
     std::chrono::microseconds timeout_{};
     clock::duration longest_{}; ///< that an answer is owed
     unsigned tries_{1};
+    bool has_numbers_{false};
     std::uint16_t nonce_{0};
     frame_bytes answered_{}; ///< the request to which the last response was
     std::byte asked_unit_{};

@@ -8,13 +8,23 @@
 #include "exit_status.hpp"
 #include "line/end_wish.hpp"
 #include "line/open_line.hpp"
+#include "line/usual_settings.hpp"
 
 namespace tool {
 
 using rtuwire::instant;
 using std::chrono::steady_clock;
 
-any_port open_to_listen(choices const& chosen) { return open_port(chosen.line, setting_in(chosen.line)); }
+any_port open_to_listen(choices const& chosen)
+{
+    if (is_modbus_tcp(chosen.line)) {
+        refuse_word(
+            chosen.line.port +
+            ": a server of Modbus TCP answers whoever asks, and nobody else hears it: there is nothing to listen to "
+            "(--trace keeps what a command itself says and hears)");
+    }
+    return open_port(chosen.line, setting_in(chosen.line));
+}
 
 void listen(any_port& port, choices const& chosen, line_calendar const& calendar, take_frame const& take,
             std::function<bool()> const& goes_on)

@@ -46,6 +46,12 @@ bool has_rate(line_choices const& line)
     return not which.refused and std::holds_alternative<serial_device>(which.port);
 }
 
+bool is_modbus_tcp(line_choices const& line)
+{
+    port_choice const which = read_port_word(line.port);
+    return not which.refused and std::holds_alternative<mbap_address>(which.port);
+}
+
 void refuse_without_rate(line_choices const& line, std::string const& option)
 {
     port_choice const which = read_port_word(line.port);

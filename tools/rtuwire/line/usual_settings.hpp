@@ -31,4 +31,7 @@ void refuse_without_rate(line_choices const& line, std::string const& option);
 /// Whether a line has a bit rate that this program sets.
 bool has_rate(line_choices const& line);
 
+/// Whether it is a server of Modbus TCP.
+bool is_modbus_tcp(line_choices const& line);
+
 } // namespace tool

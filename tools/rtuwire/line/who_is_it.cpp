@@ -161,7 +161,7 @@ public:
             return errc::timed_out;
         }
         errc const outcome = read_one(line_, unit_, address);
-        is_there_ = is_there_ or outcome == errc::none or rtuwire::is_exception(outcome);
+        is_there_ = is_there_ or outcome == errc::none or is_refusal_of_unit(outcome);
         is_silent_ = not is_there_;
         outcomes_.emplace(address, outcome);
         return outcome;
@@ -243,12 +243,12 @@ void recognise_by_registers(open_line& line, unit_address unit, errc outcome, id
     fingerprint marks{line, unit};
     candidates found = marks.among(all_drives());
     who.may_be_drive = not found.empty();
-    if (rtuwire::is_exception(outcome)) {
+    if (is_refusal_of_unit(outcome)) {
         found = without_identity(std::move(found));
     }
     if (found.size() == 1) {
         who.drive = std::string{found.front()->name};
-    } else if (rtuwire::is_exception(outcome) or marks.is_there()) {
+    } else if (is_refusal_of_unit(outcome) or marks.is_there()) {
         who.note = "answers, but does not say who it is (" + why +
                    "), and its registers are those of no drive of this program, or of several";
         who.outcome = exit_status::differs;

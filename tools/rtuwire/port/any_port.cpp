@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "port/any_port.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "port/device_holder.hpp"
@@ -11,6 +15,7 @@ namespace tool {
 
 using rtuwire::errc;
 using rtuwire::line_timing;
+using rtuwire::mbap_stream;
 using rtuwire::posix_serial;
 using rtuwire::result;
 using rtuwire::serial_settings;
@@ -21,6 +26,7 @@ result<void> any_port::open(port_description const& described, serial_settings c
     close();
     own_failure_.clear();
     heard_ = 0;
+    has_sent_ = false;
     return std::visit([&](auto const& chosen) { return open_one(chosen, settings); }, described);
 }
 
@@ -46,6 +52,12 @@ result<void> any_port::open_one(tcp_address const& chosen, serial_settings const
     line_timing const wire{settings.bits_per_second, settings.format};
     timing_ = line_timing::without_wire().with_silence(wire.t3_5() + rtuwire::milliseconds(3));
     return port_.emplace<tcp_stream>().open(chosen.host, chosen.port);
+}
+
+result<void> any_port::open_one(mbap_address const& chosen, serial_settings const&)
+{
+    timing_ = rtuwire::mbap_stream::timing();
+    return port_.emplace<mbap_stream>().open(chosen.host, chosen.port);
 }
 
 result<void> any_port::open_one(simulated_drives_choice const& chosen, serial_settings const&)
@@ -99,14 +111,78 @@ std::string const& any_port::failure() const noexcept
 
 result<void> any_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
 {
-    return std::visit([&](auto& port) { return port.write(bytes, until); }, port_);
+    auto const written = std::visit([&](auto& port) { return port.write(bytes, until); }, port_);
+    has_sent_ = has_sent_ or written;
+    note_failure(written.error());
+    return written;
 }
 
 result<rtuwire::byte_span> any_port::read(rtuwire::byte_span place, rtuwire::instant until)
 {
     auto const bytes = std::visit([&](auto& port) { return port.read(place, until); }, port_);
     heard_ += bytes ? bytes->size() : 0;
+    note_failure(bytes.error());
     return bytes;
+}
+
+/// A server that is spoken to in the other of both protocols closes the connection, or answers what is none of this one.
+void any_port::note_failure(rtuwire::errc why)
+{
+    auto const* const numbered = std::get_if<mbap_stream>(&port_);
+    bool const has_begun = numbered != nullptr and not numbered->begun().empty();
+    bool const is_protocol = (why == errc::device_vanished and not has_begun) or why == errc::device_failed;
+    if (is_protocol and has_sent_ and heard_ == 0 and own_failure_.empty()) {
+        std::string const other = other_protocol();
+        own_failure_ = other.empty() ? other : failure() + other;
+    }
+}
+
+/// Where nothing that could be read has come; empty where a port has no other.
+std::string any_port::other_protocol() const
+{
+    if (std::holds_alternative<mbap_stream>(port_)) {
+        return "; Modbus TCP was sent: what takes RTU frames over TCP is tcp://" + device();
+    }
+    std::string_view constexpr usual = ":502";
+    bool const is_usual = device().ends_with(usual);
+    std::string const where = device().substr(0, device().size() - (is_usual ? usual.size() : 0));
+    return std::holds_alternative<tcp_stream>(port_)
+               ? "; RTU frames with a CRC were sent: " +
+                     std::string{is_usual ? "port 502 is as a rule Modbus TCP, " : "a server of Modbus TCP is "} +
+                     "mbap://" + where
+               : "";
+}
+
+std::string any_port::words_of_silence() const
+{
+    auto const* const numbered = std::get_if<mbap_stream>(&port_);
+    if (numbered == nullptr or numbered->dropped() == rtuwire::mbap_dropped{}) {
+        return heard_ == 0 ? other_protocol() : "";
+    }
+    auto const& dropped = numbered->dropped();
+    std::string text;
+    if (dropped.late > 0) {
+        double const latest = dropped.latest.microseconds / 1e6;
+        constexpr double most = 30.0;
+        std::array<char, 128> words{};
+        std::snprintf(
+            words.data(), words.size(),
+            "; answers come too late and were dropped by their number, the last after %.1f s: say --timeout %.1f",
+            latest, std::min(std::ceil(latest * 15.0) / 10.0, most));
+        text += words.data();
+    }
+    if (dropped.other_unit > 0) {
+        text += "; an answer with its number came of unit " + std::to_string(dropped.unit) +
+                " and was dropped: a device that has only this one is asked by " +
+                (dropped.unit >= 1 and dropped.unit <= 247 ? "" : "--any-unit ") + "-u " + std::to_string(dropped.unit);
+    }
+    return text;
+}
+
+rtuwire::byte_view any_port::as_sent(rtuwire::byte_view frame, rtuwire::byte_span place) const noexcept
+{
+    constexpr std::uint16_t number = 0xFFFF; // nobody waits for a response to it
+    return std::holds_alternative<mbap_stream>(port_) ? mbap_stream::message_of(frame, number, place) : frame;
 }
 
 bool any_port::take_receive_error() noexcept

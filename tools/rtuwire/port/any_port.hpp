@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A port of whichever kind: a serial device, RTU over TCP, simulated drives. A `blocking_client`, `pump`, `serve_once` and
+// A port of whichever kind: a serial device, RTU over TCP, Modbus TCP, simulated drives. A `blocking_client`, `pump`, `serve_once` and
 // `receive_from` take it as they take a `posix_serial`.
 #pragma once
 
 #include <string>
 #include <variant>
 
+#include <rtuwire/frames.hpp>
 #include <rtuwire/port.hpp>
 
 #include "port/port_word.hpp"
@@ -20,7 +21,7 @@ class any_port {
 public:
     /// Opens what was described; what was open before is closed. The settings are of a serial device. A serial device
     /// server has its own; they tell how long the silence on its wire has to be. Simulated drives have none. On an error nothing is open and `failure()` says why:
-    /// those of `posix_serial::open` and of `tcp_stream::open`; `device_not_serial` for a capture file.
+    /// those of `posix_serial::open`, of `tcp_stream::open` and of `mbap_stream::open`; `device_not_serial` for a capture file.
     rtuwire::result<void> open(port_description const& described, rtuwire::serial_settings const& settings = {});
 
     void close() noexcept;
@@ -29,6 +30,9 @@ public:
 
     /// Whether what answers here is simulated.
     [[nodiscard]] bool is_simulated() const noexcept { return drives_.is_running(); }
+
+    /// Whether responses come by the number of their request, as of Modbus TCP: nobody else is heard there, and none is late.
+    [[nodiscard]] bool has_numbers() const noexcept { return timing_.has_numbers(); }
 
     /// Wants this silence before each request, where it is longer than the port's own.
     void keep_pause(rtuwire::duration silence) noexcept;
@@ -40,13 +44,27 @@ public:
     /// The system's number of it, for `poll`; -1 where none is open.
     [[nodiscard]] int descriptor_number() const noexcept;
 
+    /// A frame as it goes to the system's number, for what writes there itself. `place` has 260 bytes.
+    [[nodiscard]] rtuwire::byte_view as_sent(rtuwire::byte_view frame, rtuwire::byte_span place) const noexcept;
+
+    /// The part of a frame that passes here: over Modbus TCP all but its CRC, which is made up.
+    [[nodiscard]] rtuwire::byte_view passed(rtuwire::byte_view frame) const noexcept
+    {
+        return frame.first(frame.size() - (has_numbers() and frame.size() >= rtuwire::min_adu_size ? 2U : 0U));
+    }
+
     /// Its name: a device, "host:4001".
     [[nodiscard]] std::string const& device() const noexcept;
 
     /// The last failure in words, beginning with the port's name; empty before the first.
     [[nodiscard]] std::string const& failure() const noexcept;
 
-    /// Sends all bytes. Errors: `transmit_stalled`, `device_not_open`, `device_vanished`, `device_failed`.
+    /// What there is to say of it where a unit did not answer in time: that responses came too late, or of another unit, or
+    /// that another protocol may be meant. Begins with a mark; empty where there is nothing.
+    [[nodiscard]] std::string words_of_silence() const;
+
+    /// Sends all bytes. Errors: `transmit_stalled`, `device_not_open`, `device_vanished`, `device_failed`; over
+    /// Modbus TCP those of `check_frame`, where it is no frame.
     rtuwire::result<void> write(rtuwire::byte_view bytes, rtuwire::instant until);
 
     /// Waits for at least one byte until the deadline and reads what is there; empty when there was none. Errors:
@@ -65,13 +83,18 @@ public:
 private:
     rtuwire::result<void> open_one(serial_device const& chosen, rtuwire::serial_settings const& settings);
     rtuwire::result<void> open_one(tcp_address const& chosen, rtuwire::serial_settings const& settings);
+    rtuwire::result<void> open_one(mbap_address const& chosen, rtuwire::serial_settings const& settings);
     rtuwire::result<void> open_one(simulated_drives_choice const& chosen, rtuwire::serial_settings const& settings);
     rtuwire::result<void> open_one(capture_file const& chosen, rtuwire::serial_settings const& settings);
 
+    void note_failure(rtuwire::errc why);
+    std::string other_protocol() const;
+
     simulated_drives drives_{}; ///< outlives the port to them
-    std::variant<rtuwire::posix_serial, rtuwire::tcp_stream> port_{};
+    std::variant<rtuwire::posix_serial, rtuwire::tcp_stream, rtuwire::mbap_stream> port_{};
     rtuwire::line_timing timing_{rtuwire::line_timing::without_wire()};
     std::size_t heard_{0};
+    bool has_sent_{false};
     std::string own_failure_{}; ///< where it is not the port's
 };
 

@@ -18,7 +18,7 @@ namespace tool {
 namespace {
 
 constexpr std::string_view forms =
-    "a port is /dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3, sim:meter.toml:61 or a capture file";
+    "a port is /dev/ttyUSB0, tcp://host:4001, mbap://host, sim:atv320:7,atv12:3, sim:meter.toml:61 or a capture file";
 
 /// What a word means; or what is wrong with it, and what may have been meant.
 struct meaning {
@@ -52,43 +52,47 @@ std::string host_in(std::string_view host)
     return std::string{has_brackets ? host.substr(1, host.size() - 2) : host};
 }
 
-/// "host:4001", behind "tcp://".
-meaning read_tcp(std::string_view place)
+/// A host and the port of its server; or what is wrong with them. Behind `start` no port stands for `usual`, where there is one.
+meaning read_host(std::string const& start, std::string_view place, std::optional<std::uint32_t> usual)
 {
-    std::string const start = "tcp://";
+    std::string const example = usual ? "mbap://host" : "tcp://host:4001";
+    std::string const likely = usual ? "" : ":4001";
     if (place.find('/') != place.npos) {
         return wrong("nothing stands behind the port of a host", start + std::string{place.substr(0, place.find('/'))});
     }
     std::size_t const colon = colon_of(place);
     if (colon == 0 or host_in(place.substr(0, colon)).empty()) {
-        return wrong("no host is named; it is like tcp://host:4001");
+        return wrong("no host is named; it is like " + example);
     }
-    if (colon == place.npos) {
+    if (colon == place.npos and not usual) {
         return wrong("no port is named, as the serial device server has it set: often 4001, 502 or 23",
-                     start + std::string{place} + ":4001");
+                     start + std::string{place} + likely);
     }
     std::string_view const host = place.substr(0, colon);
-    auto const port = number_in(std::string{place.substr(colon + 1)});
+    std::string_view const behind = colon == place.npos ? std::string_view{} : place.substr(colon + 1);
+    auto const port = colon == place.npos ? usual : number_in(std::string{behind});
     if (host.front() != '[' and host.find(':') != host.npos) {
         return wrong("a number of IPv6 stands in brackets",
-                     start + "[" + std::string{host} + "]:" + std::string{place.substr(colon + 1)});
+                     start + "[" + std::string{host} + "]:" + std::string{behind});
     }
     if (not port or *port == 0 or *port > 0xFFFF) {
-        return wrong("a port is a number from 1 to 65535", start + std::string{host} + ":4001");
+        return wrong("a port is a number from 1 to 65535", start + std::string{host} + likely);
     }
-    return found(tcp_address{host_in(host), static_cast<std::uint16_t>(*port)});
+    auto const number = static_cast<std::uint16_t>(*port);
+    return usual ? found(mbap_address{host_in(host), number}) : found(tcp_address{host_in(host), number});
 }
 
 /// A word with the wrong start, or the name of something that is not there.
 meaning unknown(std::string_view word)
 {
-    constexpr std::array<std::string_view, 2> starts{"tcp", "sim"};
+    constexpr std::array<std::string_view, 3> starts{"tcp", "mbap", "sim"};
     std::size_t const colon = word.find(':');
     std::string_view const nearest = nearest_word(word.substr(0, colon), starts);
     if (colon != word.npos and not nearest.empty()) {
-        std::size_t const rest = nearest == "tcp" ? word.find_first_not_of("/", colon + 1) : colon + 1;
+        bool const is_host = nearest != "sim";
+        std::size_t const rest = is_host ? word.find_first_not_of("/", colon + 1) : colon + 1;
         return wrong("there is no such kind of port",
-                     std::string{nearest} + (nearest == "tcp" ? "://" : ":") +
+                     std::string{nearest} + (is_host ? "://" : ":") +
                          std::string{word.substr(rest == word.npos ? word.size() : rest)});
     }
     struct stat info {};
@@ -136,13 +140,17 @@ meaning read_drives(std::string_view words)
 meaning read(std::string_view word)
 {
     if (starts_with_word(word, "tcp://")) {
-        return read_tcp(word.substr(6));
+        return read_host("tcp://", word.substr(6), std::nullopt);
+    }
+    if (starts_with_word(word, "mbap://")) {
+        return read_host("mbap://", word.substr(7), mbap_address{}.port);
     }
     if (starts_with_word(word, "sim:")) {
         return read_drives(word.substr(4));
     }
     // The path of a device may hold colons; what another scheme begins with is none.
-    bool const has_scheme = word.find("://") != word.npos or starts_with_word(word, "tcp:");
+    bool const has_scheme =
+        word.find("://") != word.npos or starts_with_word(word, "tcp:") or starts_with_word(word, "mbap:");
     return has_scheme and word.front() != '/' and word.front() != '.' ? unknown(word) : read_path(word);
 }
 

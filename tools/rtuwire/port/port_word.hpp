@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a person types for a port: `/dev/ttyUSB0`, `tcp://host:4001`, `sim:atv320:7,atv12:3`, or the name of a capture
-// file. Only looks at the word, and at the file of that name; opens nothing.
+// What a person types for a port: `/dev/ttyUSB0`, `tcp://host:4001`, `mbap://host`, `sim:atv320:7,atv12:3`, or the name of a
+// capture file. Only looks at the word, and at the file of that name; opens nothing.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +31,14 @@ struct tcp_address {
     friend bool operator==(tcp_address const&, tcp_address const&) = default;
 };
 
+/// A server of Modbus TCP: a device, or a gateway to the units of a line.
+struct mbap_address {
+    std::string host; ///< as of a `tcp_address`
+    std::uint16_t port{502};
+
+    friend bool operator==(mbap_address const&, mbap_address const&) = default;
+};
+
 /// A simulated drive, or a device of a register file.
 struct simulated_drive_choice {
     std::string drive; ///< the name of one of `altivar::all_drives`, or "meter.toml"
@@ -53,7 +61,7 @@ struct capture_file {
     friend bool operator==(capture_file const&, capture_file const&) = default;
 };
 
-using port_description = std::variant<serial_device, tcp_address, simulated_drives_choice, capture_file>;
+using port_description = std::variant<serial_device, tcp_address, mbap_address, simulated_drives_choice, capture_file>;
 
 /// The port that was meant; or why the word is refused.
 struct port_choice {
