@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 # Drawn values of every type, read and written by the tool on a line and over Modbus TCP, against the memory of four servers of others: libmodbus, pymodbus,
-# and modbus-serial and jsmodbus of npm; ten times as many drawn command lines; and all servers with one defect. Installs what it needs.
+# and modbus-serial and jsmodbus of npm; ten times as many drawn command lines; and all servers and clients with one defect. Installs what it needs.
 #
 #   sh tests/interop/drawn_values.sh [COUNT [SEED]]
 set -eu
@@ -35,6 +35,11 @@ printf '\n== command lines ==\n'
 /usr/bin/python3 -B tests/tool/drawn_lines.py build/release/tools/rtuwire/rtuwire "${count}0" "$seed" || failed="$failed; command lines"
 printf '\n== servers with one defect ==\n'
 /usr/bin/python3 -B tests/tool/defective_servers.py build/release/tools/rtuwire/rtuwire || failed="$failed; servers with one defect"
+printf '\n== clients with one defect, and those of npm ==\n'
+for part in defects npm; do
+    NODE_PATH=$packages/node_modules /usr/bin/python3 -B tests/tool/checked_clients.py build/release/tools/rtuwire/rtuwire $part ||
+        failed="$failed; clients: $part"
+done
 [ -z "$failed" ] || {
     echo "FAILED:$failed" >&2
     exit 1

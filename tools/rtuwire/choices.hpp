@@ -100,9 +100,11 @@ struct check_choices {
     unsigned hostile{0};   ///< seconds of random frames; 0: none
     std::uint32_t seed{1}; ///< of them
     bool lists{false};
-    std::string explained{}; ///< a clause
-    std::string profile{};   ///< a file
-    std::string junit{};     ///< a file
+    std::string explained{};   ///< a clause
+    std::string profile{};     ///< a file
+    std::string junit{};       ///< a file
+    bool is_client{false};     ///< a client is checked, whose command is `choices::words`
+    std::string client_port{}; ///< what it is told to open; empty: as the port is called
 };
 
 /// A line between two ports that is disturbed.

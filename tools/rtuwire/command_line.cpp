@@ -185,8 +185,8 @@ bool is_one_file(std::string const& one, std::string const& other)
     return not one.empty() and not other.empty() and place(one) == place(other);
 }
 
-/// Names of the command line stand beside those of the file, and in the place of the same name there; drives are never
-/// simulated on the port of the file.
+/// Names of the command line stand beside those of the file, and in the place of the same name there; nothing is served
+/// on the port of the file.
 void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
 {
     line_choices& line = chosen.line;
@@ -214,7 +214,8 @@ void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
     auto const is_typed = [&app](char const* name) { return app.get_option(name)->count() > 0; };
     line.is_unit_named = line.is_unit_named or is_typed("--unit");
     line.is_rate_named = line.is_rate_named or is_typed("--baud") or is_typed("--format");
-    if (chosen.command == "simulate" and app.get_option("--port")->count() == 0) {
+    bool const is_served = chosen.command == "simulate" or chosen.check.is_client;
+    if (is_served and app.get_option("--port")->count() == 0) {
         line.port.clear();
     }
 }

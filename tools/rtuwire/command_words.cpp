@@ -341,7 +341,8 @@ void add_device(CLI::App& app, choices& chosen)
 void add_check(CLI::App& app, choices& chosen)
 {
     CLI::App& check =
-        add_command(app, chosen, "check", "does a server keep to the protocol? Anybody's device, clause by clause");
+        add_command(app, chosen, "check",
+                    "does a server, or a client, keep to the protocol? Anybody's device or library, clause by clause");
     check.add_option("--only", chosen.check.only, "clauses, functions or groups: L07, F03, I");
     check.add_flag("--list", chosen.check.lists, "the clauses, and what fails without them");
     check.add_option("--explain", chosen.check.explained, "what a clause sends, and what may come");
@@ -362,8 +363,25 @@ void add_check(CLI::App& app, choices& chosen)
     check.add_option("--profile", chosen.check.profile,
                      "a file: functions that the device is said to have, deviations that are known");
     check.add_option("--junit", chosen.check.junit, "a file with the verdicts, for programs that collect test results");
+    check.add_flag("--client", chosen.check.is_client,
+                   "check a client: servers are played to it, on a pseudo-terminal, or on the --port");
+    check.add_option("--client-port", chosen.check.client_port,
+                     "what the client opens, where --port is a serial device: its other end, such as /dev/ttyUSB1");
+    add_operands(
+        check, chosen, "COMMAND",
+        "behind --client --: the program of the client and its words; without it a client that asks by itself is "
+        "judged by its requests alone");
     add_to_footer(
-        check, "Exit status: 0 all musts hold, 1 not. It only reads, and sends frames that are damaged or for nobody.");
+        check,
+        "Exit status: 0 all musts hold, 1 not. It only reads, and sends frames that are damaged or for nobody.\n"
+        "With --client the COMMAND is run for each clause, with more words: PORT TIMEOUT and, for each request,\n"
+        "  read UNIT ADDRESS COUNT    read holding registers (03), print their values in decimal, on one line\n"
+        "  write UNIT ADDRESS VALUE   write one register (06 or 16), print ok\n"
+        "such as /dev/pts/4 500 read 1 100 2 read 1 300 2. It opens PORT once (8E1, 19200 bit/s on a real line; RTU "
+        "over\n"
+        "TCP where it is host:port), waits TIMEOUT milliseconds for a response, sends the requests in order, and "
+        "prints a\n"
+        "line for each: values, ok, or error where it failed. Other lines are left out.");
 }
 
 void add_chaos(CLI::App& app, choices& chosen)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What a server of Modbus RTU is held to: a row a clause. An id never changes and is never used again.
+// What a server of Modbus RTU is held to, and a client: a row a clause. An id never changes and is never used again.
 #pragma once
 
 #include <span>
@@ -36,7 +36,13 @@ struct clause {
     std::string_view applies;
 };
 
-/// In the order in which they are asked, but for those that come last.
+/// Of a server, in the order in which they are asked, but for those that come last.
 std::span<clause const> all_clauses();
+
+/// Of a client: `sends` is what it is told to ask, `comes` what it is answered, in the words of `client_table.cpp`, and
+/// `applies` what is judged: what it prints of each request, and how it sends them.
+std::span<clause const> all_client_clauses();
+
+inline constexpr std::string_view client_group{"client"};
 
 } // namespace tool

@@ -71,8 +71,13 @@ record record_of(judged_clause const& each, output_form form)
 std::string explained(clause const& which)
 {
     std::string text = std::string{which.id} + ", " + std::string{name_of(which.level)} + ", " +
-                       std::string{which.source} + "\n" + "what fails in the field: " + std::string{which.harm} + "\n" +
-                       "asked where: " + std::string{which.applies} + "\n";
+                       std::string{which.source} + "\n" + "what fails in the field: " + std::string{which.harm} + "\n";
+    if (which.group == client_group) {
+        return text + "the client is told: " + std::string{which.sends} +
+               "\nit is answered: " + (which.comes == "-" ? "nothing" : std::string{which.comes}) +
+               "\nwhat is judged: " + std::string{which.applies} + "\n";
+    }
+    text += "asked where: " + std::string{which.applies} + "\n";
     std::string const needs{which.needs};
     text += needs.find("scratch") != needs.npos      ? "needs: --scratch or --scratch-coils, as it writes\n"
             : needs.find("disruptive") != needs.npos ? "needs: --disruptive\n"

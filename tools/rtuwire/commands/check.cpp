@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Holds a server against the clauses of the specification. It only reads, where nothing else is allowed.
-#include <algorithm>
+// Holds a server, or a client, against the clauses of the specification. It only reads, where nothing else is allowed.
 #include <cstdio>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "check/checked_client.hpp"
+#include "check/checked_unit.hpp"
 #include "check/profile.hpp"
-#include "check/report.hpp"
+#include "check/told_verdicts.hpp"
 #include "commands/commands.hpp"
 #include "line/end_wish.hpp"
 #include "line/left_alone.hpp"
@@ -15,60 +17,37 @@
 #include "line/open_line.hpp"
 #include "motion/fed_drive.hpp"
 #include "output/plain_text.hpp"
-#include "output/progress.hpp"
+#include "port/any_port.hpp"
+#include "port/served_port.hpp"
 #include "words/suggestion.hpp"
 
 namespace tool {
 
 namespace {
 
-constexpr double usual_wait = 1.0; ///< seconds: there are servers that take half of it before they refuse
+constexpr double usual_wait = 1.0;   ///< seconds: there are servers that take half of it before they refuse
+constexpr double clients_wait = 0.5; ///< that a client is told to wait: it waits in many clauses, and repeats
 
-bool is_wanted(clause const& which, std::string const& only)
+line_time time_of(double seconds)
 {
-    if (only.empty()) {
-        return true;
-    }
-    for (std::size_t from = 0; from <= only.size();) {
-        std::size_t const end = std::min(only.find(',', from), only.size());
-        std::string_view const word = std::string_view{only}.substr(from, end - from);
-        // A clause, a function's or a group's letter: F03.1, F03, F.
-        bool const is_part = which.id.starts_with(word) and
-                             (which.id.size() == word.size() or which.id[word.size()] == '.' or word.size() == 1);
-        if (not word.empty() and is_part) {
-            return true;
-        }
-        from = end + 1;
-    }
-    return false;
+    return std::chrono::duration_cast<line_time>(std::chrono::duration<double>{seconds});
 }
 
-std::vector<clause const*> wanted(std::string const& only)
+std::span<clause const> clauses_of(check_choices const& how)
 {
-    std::vector<clause const*> all;
-    for (clause const& each : all_clauses()) {
-        if (is_wanted(each, only)) {
-            all.push_back(&each);
-        }
-    }
-    if (all.empty()) {
-        refuse_word("--only " + only + ": no clause is called so; --list names all");
-    }
-    // Clang 14 cannot use the one of std::ranges.
-    std::stable_partition(all.begin(), all.end(), [](clause const* each) { return each->state != clause_state::last; });
-    return all;
+    return how.is_client ? all_client_clauses() : all_clauses();
 }
 
 exit_status list_clauses(choices const& chosen)
 {
     output results{chosen.form, false};
-    for (clause const* each : wanted(chosen.check.only)) {
+    for (clause const* each : wanted_clauses(clauses_of(chosen.check), chosen.check.only)) {
         judged_clause const row{each, {}};
         record const full = record_of(row, output_form::csv);
         results.put({{"clause", std::string{each->id}},
                      {"level", full.fields()[1].value},
                      {"source", std::string{each->source}},
-                     {"asked where", std::string{each->applies}},
+                     {chosen.check.is_client ? "what is judged" : "asked where", std::string{each->applies}},
                      {"what fails without it", std::string{each->harm}}});
     }
     results.finish();
@@ -77,15 +56,15 @@ exit_status list_clauses(choices const& chosen)
 
 exit_status explain_clause(std::string const& id)
 {
-    for (clause const& each : all_clauses()) {
-        if (each.id == id) {
-            std::fputs(explained(each).c_str(), stdout);
-            return exit_status::done;
-        }
-    }
     std::vector<std::string_view> ids;
-    for (clause const& each : all_clauses()) {
-        ids.push_back(each.id);
+    for (std::span<clause const> const side : {all_clauses(), all_client_clauses()}) {
+        for (clause const& each : side) {
+            if (each.id == id) {
+                std::fputs(explained(each).c_str(), stdout);
+                return exit_status::done;
+            }
+            ids.push_back(each.id);
+        }
     }
     refuse_word("--explain: '" + id + "' is no clause" + suggestion(id, ids));
 }
@@ -93,8 +72,8 @@ exit_status explain_clause(std::string const& id)
 class checking {
 public:
     explicit checking(choices const& chosen)
-        : chosen_{chosen}, clauses_{wanted(chosen.check.only)}, scratch_{scratch_in(chosen.check)}, unit_{unit_in(
-                                                                                                        chosen.line)}
+        : chosen_{chosen}, clauses_{wanted_clauses(all_clauses(), chosen.check.only)},
+          scratch_{scratch_in(chosen.check)}, unit_{unit_in(chosen.line)}
     {
         bool const changes =
             not chosen.check.scratch.empty() or not chosen.check.scratch_coils.empty() or chosen.check.may_disrupt;
@@ -114,7 +93,7 @@ public:
         line_setting const setting = setting_in(chosen_.line);
         double const seconds = chosen_.line.response_timeout.value_or(usual_wait);
         probed_line probed{line.port(), line.exchange(), rtuwire::line_timing{setting.baud, setting.format},
-                           std::chrono::duration_cast<line_time>(std::chrono::duration<double>{seconds})};
+                           time_of(seconds)};
         checked_unit unit{probed, unit_.unit.byte(), chosen_.check};
         unit.claim(profile_.functions());
         note_signals();
@@ -135,7 +114,8 @@ public:
         }
         tell_pace(unit);
         profile_.tell();
-        return tell();
+        exit_status const status = verdicts_.tell(chosen_.line.port + " unit " + std::to_string(unit_.unit.byte()));
+        return status == exit_status::done and is_left_changed_ ? exit_status::differs : status;
     }
 
 private:
@@ -165,28 +145,21 @@ private:
 
     void ask_all(checked_unit& unit)
     {
-        output results{chosen_.form, true};
-        progress bar{clauses_.size()};
         clause const* before = nullptr;
         clause const* culprit = nullptr; // behind which the unit did not come to a known state
-        for (std::size_t i = 0; i < clauses_.size() and noted_signal() == 0; ++i) {
-            clause const& which = *clauses_[i];
-            bar.show(i, ": " + std::string{which.id});
-            judged_clause row{&which, judged_one(unit, which, before, culprit)};
+        for (clause const* which : clauses_) {
+            if (noted_signal() != 0) {
+                break;
+            }
+            verdicts_.begin(*which);
+            judged_clause row{which, judged_one(unit, *which, before, culprit)};
             if (noted_signal() != 0) {
                 break; // a clause that was cut says nothing
             }
-            bar.clear();
-            bool const is_shown = chosen_.form != output_form::table or row.found.how == verdict::fails or
-                                  row.found.how == verdict::told or row.found.how == verdict::known;
-            if (is_shown) {
-                results.put(record_of(row, chosen_.form), row.found.how == verdict::fails);
-            }
-            rows_.push_back(std::move(row));
-            before = &which;
+            verdicts_.add(std::move(row));
+            before = which;
         }
-        bar.clear();
-        results.finish();
+        verdicts_.end();
     }
 
     judgement judged_one(checked_unit& unit, clause const& which, clause const* before, clause const*& culprit)
@@ -231,29 +204,6 @@ private:
         }
     }
 
-    exit_status tell()
-    {
-        auto const count = [this](verdict how, auto... level) {
-            return std::ranges::count_if(rows_, [&](judged_clause const& each) {
-                return each.found.how == how and ((each.which->level == level) and ...);
-            });
-        };
-        auto const fails = count(verdict::fails, clause_level::must);
-        std::fprintf(stderr, "%zd clauses hold, %zd musts and %zd shoulds fail, %zd do not apply, %zd were not tried\n",
-                     count(verdict::holds), fails, count(verdict::fails, clause_level::should),
-                     count(verdict::does_not_apply), count(verdict::not_tried));
-        if (noted_signal() != 0) {
-            std::fprintf(stderr, "ended after %zu of %zu clauses\n", rows_.size(), clauses_.size());
-        }
-        if (not chosen_.check.junit.empty()) {
-            write_junit(chosen_.check.junit, chosen_.line.port + " unit " + std::to_string(unit_.unit.byte()), rows_);
-        }
-        if (noted_signal() != 0) {
-            return static_cast<exit_status>(128 + noted_signal());
-        }
-        return fails > 0 or is_left_changed_ ? exit_status::differs : exit_status::done;
-    }
-
     choices const& chosen_;
     std::vector<clause const*> clauses_;
     scratch_places scratch_;
@@ -261,20 +211,65 @@ private:
     named_unit unit_;
     bool may_change_{false};
     bool is_left_changed_{false};
-    std::vector<judged_clause> rows_{};
+    told_verdicts verdicts_{chosen_, clauses_.size()};
 };
+
+exit_status check_client(choices const& chosen)
+{
+    check_choices const& how = chosen.check;
+    if (not how.scratch.empty() or not how.scratch_coils.empty() or how.may_disrupt or how.is_alone or
+        how.hostile > 0 or how.readable or not how.profile.empty()) {
+        refuse_word("--client: --readable, --scratch, --scratch-coils, --alone, --disruptive, --hostile and --profile "
+                    "are for servers");
+    }
+    std::vector<clause const*> const clauses = wanted_clauses(all_client_clauses(), how.only);
+    std::uint8_t const unit = unit_in(chosen.line).unit.byte();
+    line_setting const setting = setting_in(chosen.line);
+    exchange_log::open_file(chosen.line);
+    served_port port{chosen.line.port, serial_settings_in(chosen.line, setting)};
+    if (port.is_device() and how.client_port.empty() and not chosen.words.empty()) {
+        refuse_word("--port " + chosen.line.port + ": which port does the client open? say --client-port /dev/ttyUSB1");
+    }
+    exchange_log log = exchange_log::of(chosen.line, setting, any_port{});
+    checked_client client{
+        port,
+        log,
+        rtuwire::line_timing{setting.baud, setting.format},
+        unit,
+        {chosen.words, how.client_port, time_of(chosen.line.response_timeout.value_or(clients_wait))}};
+    if (chosen.words.empty()) {
+        std::fprintf(stderr, "unit %u is served on %s, to a client that waits %.3g s for a response (--timeout)\n",
+                     unsigned{unit}, plain_text(port.name()).c_str(),
+                     chosen.line.response_timeout.value_or(clients_wait));
+    }
+    note_signals();
+    told_verdicts verdicts{chosen, clauses.size()};
+    for (clause const* which : clauses) {
+        verdicts.begin(*which);
+        judged_clause row{which, client.judged(*which)};
+        if (noted_signal() != 0) {
+            break; // a clause that was cut says nothing
+        }
+        verdicts.add(std::move(row));
+    }
+    verdicts.end();
+    return verdicts.tell(chosen.words.empty() ? "client on " + port.name() : chosen.words.front());
+}
 
 } // namespace
 
 exit_status run_check(choices const& chosen)
 {
+    if (not chosen.check.is_client and (not chosen.words.empty() or not chosen.check.client_port.empty())) {
+        refuse_word("check: a command and --client-port are for --client, which checks a client");
+    }
     if (chosen.check.lists) {
         return list_clauses(chosen);
     }
     if (not chosen.check.explained.empty()) {
         return explain_clause(chosen.check.explained);
     }
-    return checking{chosen}.run();
+    return chosen.check.is_client ? check_client(chosen) : checking{chosen}.run();
 }
 
 } // namespace tool

@@ -22,7 +22,7 @@ std::string time_in_words(std::chrono::seconds time)
 }
 
 progress::progress(std::size_t steps)
-    : steps_{steps}, is_terminal_{::isatty(STDERR_FILENO) == 1}, began_{std::chrono::steady_clock::now()}
+    : steps_{steps}, is_terminal_{::isatty(STDERR_FILENO) == 1}
 {}
 
 progress::~progress() { clear(); }
@@ -43,6 +43,7 @@ void progress::show(std::size_t done, std::string const& note)
     if (not has_begun_) {
         has_begun_ = true;
         first_ = done;
+        began_ = std::chrono::steady_clock::now();
     }
     std::size_t const tenths = steps_ == 0 ? 10 : done * 10 / steps_;
     if (is_terminal_) {

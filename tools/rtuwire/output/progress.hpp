@@ -30,7 +30,7 @@ private:
     std::size_t shown_tenths_{0};
     bool is_terminal_;
     bool is_on_screen_{false};
-    std::chrono::steady_clock::time_point began_;
+    std::chrono::steady_clock::time_point began_{}; ///< when it was shown first
 };
 
 /// "1 h 5 min", "2 min 5 s", "7 s".

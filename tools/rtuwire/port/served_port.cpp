@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "port/served_port.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "exit_status.hpp"
+
+namespace tool {
+
+tcp_listener::tcp_listener(tcp_listener&& other) noexcept
+    : listening_{std::exchange(other.listening_, -1)}, client_{std::exchange(other.client_, -1)}
+{}
+
+tcp_listener& tcp_listener::operator=(tcp_listener&& other) noexcept
+{
+    std::swap(listening_, other.listening_);
+    std::swap(client_, other.client_);
+    return *this;
+}
+
+std::string tcp_listener::listen(tcp_address const& where)
+{
+    addrinfo hints{};
+    hints.ai_family = AF_UNSPEC;
+    hints.ai_socktype = SOCK_STREAM;
+    hints.ai_flags = AI_PASSIVE;
+    addrinfo* found = nullptr;
+    if (int const wrong = ::getaddrinfo(where.host.c_str(), std::to_string(where.port).c_str(), &hints, &found);
+        wrong != 0) {
+        return ::gai_strerror(wrong);
+    }
+    std::unique_ptr<addrinfo, void (*)(addrinfo*)> const kept{found, &::freeaddrinfo};
+    listening_ = ::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    int const yes = 1;
+    bool const is_listening =
+        listening_ >= 0 and ::setsockopt(listening_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 and
+        ::bind(listening_, found->ai_addr, found->ai_addrlen) == 0 and ::listen(listening_, 4) == 0;
+    return is_listening ? std::string{} : std::strerror(errno);
+}
+
+void tcp_listener::hang_up() noexcept
+{
+    if (client_ >= 0) {
+        ::close(std::exchange(client_, -1));
+    }
+}
+
+void tcp_listener::close() noexcept
+{
+    hang_up();
+    if (listening_ >= 0) {
+        ::close(std::exchange(listening_, -1));
+    }
+}
+
+void tcp_listener::accept_one()
+{
+    int const next = ::accept4(listening_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (next >= 0) {
+        int const yes = 1;
+        static_cast<void>(::setsockopt(next, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes));
+        hang_up();
+        client_ = next;
+    }
+}
+
+void tcp_listener::write(rtuwire::byte_view bytes, rtuwire::instant)
+{
+    if (client_ >= 0) {
+        static_cast<void>(::send(client_, bytes.data(), bytes.size(), MSG_NOSIGNAL)); // one that is gone reads nothing
+    }
+}
+
+rtuwire::byte_span tcp_listener::read(rtuwire::byte_span place, rtuwire::instant until)
+{
+    rtuwire::duration const left = until - rtuwire::steady_now();
+    std::array<pollfd, 2> watched{pollfd{listening_, POLLIN, 0}, pollfd{client_, POLLIN, 0}};
+    bool const is_over = reached(rtuwire::steady_now(), until);
+    if (::poll(watched.data(), client_ >= 0 ? 2 : 1, is_over ? 0 : static_cast<int>(left.microseconds / 1'000U)) <= 0) {
+        return place.first(0);
+    }
+    if (client_ >= 0 and watched[1].revents != 0) {
+        ssize_t const came = ::recv(client_, place.data(), place.size(), 0);
+        if (came > 0) {
+            return place.first(static_cast<std::size_t>(came));
+        }
+        hang_up();
+    }
+    if (watched[0].revents != 0) {
+        accept_one();
+    }
+    return place.first(0);
+}
+
+served_port::served_port(std::string const& word, rtuwire::serial_settings const& settings)
+{
+    if (word.empty()) {
+        open_pseudo_terminal();
+        return;
+    }
+    port_choice const which = read_port_word(word);
+    if (which.refused) {
+        refuse_word(which.refused->sentence);
+    }
+    name_ = word;
+    if (auto const* const device = std::get_if<serial_device>(&which.port)) {
+        auto& port = port_.emplace<rtuwire::posix_serial>();
+        if (not port.open(device->path, settings)) {
+            throw ended{exit_status::port, port.failure()};
+        }
+    } else if (auto const* const address = std::get_if<tcp_address>(&which.port)) {
+        name_ = word.substr(word.find("//") + 2);
+        if (std::string const why = port_.emplace<tcp_listener>().listen(*address); not why.empty()) {
+            throw ended{exit_status::port, word + ": cannot listen there: " + why};
+        }
+    } else {
+        refuse_word("--port " + word + ": a client is served on a serial device, such as /dev/ttyUSB0, at an address " +
+                    "to listen on, such as tcp://127.0.0.1:4001, or on a pseudo-terminal where no port is given");
+    }
+}
+
+void served_port::open_pseudo_terminal()
+{
+    auto& port = port_.emplace<rtuwire::pseudo_terminal>();
+    if (not port.open()) {
+        throw ended{exit_status::port, "no pseudo-terminal to be had"};
+    }
+    name_ = port.path();
+}
+
+void served_port::renew()
+{
+    if (auto* const listener = std::get_if<tcp_listener>(&port_)) {
+        listener->hang_up();
+    } else if (not is_device()) {
+        open_pseudo_terminal();
+    }
+}
+
+void served_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
+{
+    if (auto* const device = std::get_if<rtuwire::posix_serial>(&port_)) {
+        if (not device->write(bytes, until)) {
+            throw ended{exit_status::port, device->failure()};
+        }
+    } else if (auto* const terminal = std::get_if<rtuwire::pseudo_terminal>(&port_)) {
+        static_cast<void>(terminal->write(bytes, until)); // full where nobody reads
+    } else {
+        std::get<tcp_listener>(port_).write(bytes, until);
+    }
+}
+
+rtuwire::byte_span served_port::read(rtuwire::byte_span place, rtuwire::instant until)
+{
+    if (auto* const listener = std::get_if<tcp_listener>(&port_)) {
+        return listener->read(place, until);
+    }
+    if (auto* const device = std::get_if<rtuwire::posix_serial>(&port_)) {
+        auto const came = device->read(place, until);
+        if (not came) {
+            throw ended{exit_status::port, device->failure()};
+        }
+        static_cast<void>(device->take_receive_error()); // its frame's CRC tells
+        return *came;
+    }
+    auto const came = std::get<rtuwire::pseudo_terminal>(port_).read(place, until);
+    if (not came) {
+        throw ended{exit_status::port, name_ + ": the pseudo-terminal failed"};
+    }
+    return *came;
+}
+
+} // namespace tool

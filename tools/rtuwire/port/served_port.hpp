@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The server's end of a line: a pseudo-terminal of its own, a serial device, or TCP, on which it listens.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include <rtuwire/port.hpp>
+
+#include "port/port_word.hpp"
+
+namespace tool {
+
+/// Waits for a client at a TCP port, and serves the one that came last.
+class tcp_listener {
+public:
+    tcp_listener() = default;
+    tcp_listener(tcp_listener&& other) noexcept;
+    tcp_listener& operator=(tcp_listener&& other) noexcept;
+    tcp_listener(tcp_listener const&) = delete;
+    tcp_listener& operator=(tcp_listener const&) = delete;
+    ~tcp_listener() { close(); }
+
+    /// Why it cannot; empty where it listens.
+    std::string listen(tcp_address const& where);
+    /// Lets the client go.
+    void hang_up() noexcept;
+
+    void write(rtuwire::byte_view bytes, rtuwire::instant until);
+    rtuwire::byte_span read(rtuwire::byte_span place, rtuwire::instant until);
+
+private:
+    void close() noexcept;
+    void accept_one();
+
+    int listening_{-1};
+    int client_{-1};
+};
+
+class served_port {
+public:
+    /// An empty word is a pseudo-terminal. Ends where it cannot be opened.
+    served_port(std::string const& word, rtuwire::serial_settings const& settings);
+
+    /// What a client opens. Of a serial device that is its other end, whose name nobody knows here.
+    std::string const& name() const { return name_; }
+    bool is_device() const { return std::holds_alternative<rtuwire::posix_serial>(port_); }
+    bool is_network() const { return std::holds_alternative<tcp_listener>(port_); }
+
+    /// For the next client: nothing of what the one before left unread reaches it. A pseudo-terminal has a new name then.
+    void renew();
+
+    /// Bytes that nobody takes are lost, as on a wire. Ends where the port fails.
+    void write(rtuwire::byte_view bytes, rtuwire::instant until);
+    /// What came until then; empty where nothing did.
+    rtuwire::byte_span read(rtuwire::byte_span place, rtuwire::instant until);
+
+private:
+    void open_pseudo_terminal();
+
+    std::variant<rtuwire::pseudo_terminal, rtuwire::posix_serial, tcp_listener> port_{};
+    std::string name_{};
+};
+
+} // namespace tool
