@@ -279,6 +279,7 @@ def check_ports(check, tool):
     check(ended.status == NO_ANSWER, "nobody asked anything", ended)
     for words, status, says in ((["--faults", "lost=1%"], USAGE, "--from"), (["--from", "pty", "--faults", "lost=1%"], USAGE, "--to"),
                                 (["--from", "pty", "--to", "pty"], USAGE, "--faults"),
+                                (["--from", "pty", "--to", "mbap://127.0.0.1", "--faults", "lost=1%"], USAGE, "--to mbap://127.0.0.1: Modbus TCP has no line"),
                                 (["--from", "/dev/null", "--to", "/dev/null", "--faults", "lost=1%"], USAGE, "both"),
                                 (["--from", "sim:atv320:7", "--to", "pty", "--faults", "lost=1%"], USAGE, "ask nobody"),
                                 (["--from", "pty", "--to", "pty", "--faults", "lost=1%", "-o", "-"], USAGE, "-o -"),

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exit_status.hpp"
+#include "line/usual_settings.hpp"
 
 namespace tool {
 
@@ -28,6 +29,10 @@ line_end::line_end(std::string const& option, std::string const& word, line_choi
     }
     line_choices one = chosen;
     one.port = word;
+    if (is_modbus_tcp(one)) {
+        refuse_word(option + ' ' + word +
+                    ": Modbus TCP has no line, whose faults these are: its messages have numbers, and no CRC");
+    }
     try {
         port_.emplace<any_port>(open_port(one, setting_in(one)));
     } catch (ended const& why) {
