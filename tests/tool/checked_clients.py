@@ -172,6 +172,8 @@ def check_words(tool, check):
     said = tool.run("--json", "check", "--client", "--list")
     check(len(said.objects()) == CLAUSES and said.status == DONE, "all are listed", said)
     check("is answered: nothing" in tool.run("check", "--explain", "K11").output, "each is explained")
+    said = tool.run("check", "--explain", "K62").output
+    check("~T: a silence" in said and "GOOD: the right" in said and "LAST" not in said, "with the words that it uses", said)
     for words, what in ((["check", "--", "true"], "--client"), (["check", "--client", "--scratch", "1-8"], "for servers"),
                         (["check", "--client", "--", "/no/such/program"], "No such file"),
                         (["-p", "sim:atv320:1", "check", "--client", "--", "true"], "sim:atv320:1")):

@@ -43,6 +43,14 @@ std::span<clause const> all_clauses();
 /// `applies` what is judged: what it prints of each request, and how it sends them.
 std::span<clause const> all_client_clauses();
 
+/// A word of what a client is answered.
+struct client_word {
+    std::string_view word;
+    std::string_view meaning;
+};
+
+std::span<client_word const> client_words();
+
 inline constexpr std::string_view client_group{"client"};
 
 } // namespace tool

@@ -1,13 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The clauses of the client's side. Its words, those of `clause_words.hpp` and besides, of the answer to what was asked:
-//
-//   GOOD         the right answer, FN BODY its parts; EX the function with its high bit; ECHO the request
-//   OTHER        the body of another unit's registers; FEWER MORE of one register less and more; SHORT LONG with a byte count
-//                of one register less and more than there is; HALF the first half; VALUE PLACE of a write, one bit changed
-//   EACH SPLIT   the right answer byte by byte; in two halves 25 ms apart
-//   ~T60         a silence of 60 % of the time-out
-//   LAST         only to the last repetition; `then` what the next repetition gets; `/` the next request, `|` the next run
+// The clauses of the client's side, and the words in which they say what is answered, besides those of `clause_words.hpp`.
 #include "check/clause.hpp"
 
 namespace tool {
@@ -18,6 +11,32 @@ using enum clause_level;
 using enum clause_state;
 
 // clang-format off
+constexpr client_word words_of_answers[]{
+    {"U", "the unit that was asked"},
+    {"V", "another one"},
+    {"FN", "the function that was asked"},
+    {"EX", "the same with its high bit: an exception, its code behind it"},
+    {"BODY", "what the right answer has behind its function"},
+    {"GOOD", "the right answer, U FN BODY CRC; !3^01 turns bits of its byte 3, after all else"},
+    {"EACH", "the right answer, byte by byte"},
+    {"SPLIT", "the right answer in two halves, 25 ms apart"},
+    {"ECHO", "the request"},
+    {"OTHER", "the registers of another unit"},
+    {"FEWER", "one register less than was asked"},
+    {"MORE", "one register more"},
+    {"SHORT", "all registers, behind a byte count of one less"},
+    {"LONG", "all registers, behind a byte count of one more"},
+    {"HALF", "the first half of them, and nothing behind it"},
+    {"VALUE", "the confirmation of a write, with another value or count"},
+    {"PLACE", "the confirmation of a write, with another address"},
+    {"SWAP", "the CRC with its bytes exchanged"},
+    {"~T", "a silence of so many per cent of the time-out before what follows"},
+    {"LAST", "to the last repetition only; nothing before it"},
+    {"then", "to the next repetition"},
+    {"/", "to the next request"},
+    {"|", "in the next run"},
+};
+
 constexpr clause client_table[]{
     {"K01", "client", must, "AP 6.3", "", quiet,
      "read U 100 2", "GOOD",
@@ -199,6 +218,8 @@ constexpr clause client_table[]{
 // clang-format on
 
 } // namespace
+
+std::span<client_word const> client_words() { return words_of_answers; }
 
 std::span<clause const> all_client_clauses() { return client_table; }
 

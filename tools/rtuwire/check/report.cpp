@@ -73,9 +73,17 @@ std::string explained(clause const& which)
     std::string text = std::string{which.id} + ", " + std::string{name_of(which.level)} + ", " +
                        std::string{which.source} + "\n" + "what fails in the field: " + std::string{which.harm} + "\n";
     if (which.group == client_group) {
-        return text + "the client is told: " + std::string{which.sends} +
-               "\nit is answered: " + (which.comes == "-" ? "nothing" : std::string{which.comes}) +
-               "\nwhat is judged: " + std::string{which.applies} + "\n";
+        text += "the client is told: " + std::string{which.sends} +
+                "\nit is answered: " + (which.comes == "-" ? "nothing" : std::string{which.comes}) + "\n";
+        std::string const answered = " " + std::string{which.comes} + " ";
+        for (auto const& [word, meaning] : client_words()) {
+            bool const is_begin = word.starts_with('~'); // of a word with a number
+            std::string const looked = " " + std::string{word} + (is_begin ? "" : " ");
+            text += answered.find(looked) == answered.npos
+                        ? std::string{}
+                        : "  " + std::string{word} + ": " + std::string{meaning} + "\n";
+        }
+        return text + "what is judged: " + std::string{which.applies} + "\n";
     }
     text += "asked where: " + std::string{which.applies} + "\n";
     std::string const needs{which.needs};
