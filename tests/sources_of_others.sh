@@ -20,6 +20,6 @@ checkout() {
     echo "$1 $3"
 }
 
-cd "$1"
+CDPATH='' cd "$1"
 checkout nanoMODBUS https://github.com/debevv/nanoMODBUS 035b8d596a954c2dd4bc40e3fa28a7cb2a8c0ec1
 checkout freemodbus https://github.com/cwalter-at/freemodbus ec8674ce328fbe390b92a99a1683ebc731cb8ab7

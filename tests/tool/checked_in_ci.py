@@ -63,7 +63,8 @@ def report_of(shown, device, checked):
 
 
 def main(check, tool, page):
-    steps = STEP.findall(pathlib.Path(page).read_text(encoding="utf-8"))
+    section = pathlib.Path(page).read_text(encoding="utf-8").partition("**In your own CI**")[2].partition("\n## ")[0]
+    steps = STEP.findall(section)
     check(len(steps) == 1, "the page shows one step", steps)
     shown, name = textwrap.dedent(steps[0]), shlex.quote(os.path.abspath(tool))
     status, report, errors = report_of(shown, f'{name} --port "$1" simulate meter.toml:1', f'{name} "$@" --only L01,L34,F03')
