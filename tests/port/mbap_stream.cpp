@@ -154,6 +154,46 @@ TEST_CASE("a late response is never taken for another's, and nobody waits for it
     CHECK(line.port.dropped().late == 2);
 }
 
+TEST_CASE("what came before a request was sent is no response to it, though it has the number")
+{
+    mbap_far_end line;
+    line.say("00 01 00 00 00 05 01 03 02 DE AD 00 02 00 00 00 05 01 03 02 DE AD"_hex);
+    auto const request = encode(unit_id{1}, read_holding_registers{100, 1});
+    REQUIRE(line.port.write(*request, line.port.now() + test::limit));
+    CHECK(line.port.dropped().unknown == 2);
+    line.say("00 01 00 00 00 05 01 03 02 00 01"_hex);
+    std::array<std::byte, max_adu_size> place{};
+    auto const bytes = line.port.read(place, line.port.now() + test::limit);
+    REQUIRE(bytes);
+    REQUIRE(bytes->size() == 7);
+    CHECK((*bytes)[4] == std::byte{1});
+}
+
+TEST_CASE("messages without end keep nobody from his clock: a read ends behind some of them")
+{
+    mbap_far_end line;
+    auto const request = encode(unit_id{1}, read_holding_registers{100, 1});
+    REQUIRE(line.port.write(*request, line.port.now() + test::limit));
+    constexpr std::uint32_t strange = 2'000;
+    for (std::uint32_t i = 0; i < strange; ++i) {
+        line.say("12 34 00 00 00 05 01 03 02 DE AD"_hex);
+    }
+    line.say("00 01 00 00 00 05 01 03 02 00 01"_hex);
+    std::array<std::byte, max_adu_size> place{};
+    std::uint32_t most = 0;
+    byte_view frame{};
+    while (frame.empty() and line.port.dropped().unknown <= strange) {
+        std::uint32_t const before = line.port.dropped().unknown;
+        auto const bytes = line.port.read(place, line.port.now() + test::limit);
+        REQUIRE(bytes);
+        frame = *bytes;
+        most = std::max(most, line.port.dropped().unknown - before);
+    }
+    CHECK(frame.size() == 7);
+    CHECK(line.port.dropped().unknown == strange);
+    CHECK(most < 100);
+}
+
 TEST_CASE("a response of another unit is none, though it has the number")
 {
     mbap_far_end line;

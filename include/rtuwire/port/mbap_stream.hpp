@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -85,39 +86,39 @@ public:
         if (is_cut_) {
             return failed(errc::device_vanished, "a request was not taken in time: the connection is given up");
         }
+        drop_early();
         sending const next{static_cast<std::uint16_t>(last_.number + 1U), detail::to_u8(frame[0]), true, now()};
         std::array<std::byte, max_mbap_size> place{};
         auto const written = line_.write(message_of(frame, next.number, place), until);
         if (written) {
             last_ = next;
             sent_[next.number % sent_.size()] = next;
-            left_ = 0; // of the response before
         }
         is_cut_ = not written and written.error() == errc::transmit_stalled;
         return written;
     }
 
     /// Waits until the deadline for the response to the last request, and gives it as a frame; empty where none came. In parts
-    /// where `place` is smaller than it. Messages that are none are dropped, and counted. Errors: `device_not_open`,
+    /// where `place` is smaller than it. Messages that are none are dropped, and counted; behind some of them it is empty before
+    /// the deadline, so that whoever sends them without end keeps nobody from his clock. Errors: `device_not_open`,
     /// `device_vanished`, `device_failed`; the last also where what came is no Modbus TCP, at each read from then on.
     result<byte_span> read(byte_span place, instant until)
     {
-        while (left_ == 0) {
-            if (auto const message = came_.first()) {
-                take(*message);
-                came_.drop_first();
-            } else if (came_.fault() != mbap_fault::none) {
+        for (bool has_read = false; not take_all(last_.number); has_read = true) {
+            if (came_.fault() != mbap_fault::none) {
                 return failed(errc::device_failed, words_of_fault()).error();
-            } else {
-                auto const bytes = line_.read(came_.room(), until);
-                if (not bytes) {
-                    return lost(bytes.error()).error();
-                }
-                if (bytes->empty()) {
-                    return place.first(0);
-                }
-                came_.add(bytes->size());
             }
+            if (has_read and reached(now(), until)) {
+                break;
+            }
+            auto const bytes = line_.read(came_.room(), until);
+            if (not bytes) {
+                return lost(bytes.error()).error();
+            }
+            if (bytes->empty()) {
+                break;
+            }
+            came_.add(bytes->size());
         }
         return part_of_response(place);
     }
@@ -147,8 +148,39 @@ private:
         instant at{0};
     };
 
+    /// What came before a request was sent is no response to it, whatever its number.
+    void drop_early()
+    {
+        constexpr int most = 64; // each as much as there is room for
+        left_ = 0;
+        for (int i = 0; i < most and came_.fault() == mbap_fault::none; ++i) {
+            static_cast<void>(take_all(std::nullopt));
+            auto const bytes = line_.read(came_.room(), now());
+            if (not bytes or bytes->empty()) {
+                break; // where the connection is gone, the write finds that
+            }
+            came_.add(bytes->size());
+        }
+        static_cast<void>(take_all(std::nullopt));
+    }
+
+    /// The messages that are whole, up to the response to the request with this number; whether there was any.
+    bool take_all(std::optional<std::uint16_t> awaited)
+    {
+        bool has_taken = left_ != 0;
+        for (; left_ == 0; came_.drop_first()) {
+            auto const message = came_.first();
+            if (not message) {
+                break;
+            }
+            take(*message, awaited);
+            has_taken = true;
+        }
+        return has_taken;
+    }
+
     /// A message of the other end.
-    void take(mbap_message const& message)
+    void take(mbap_message const& message, std::optional<std::uint16_t> awaited)
     {
         sending& asked = sent_[message.number % sent_.size()];
         if (asked.number != message.number or not asked.is_awaited) {
@@ -158,7 +190,7 @@ private:
             dropped_.unit = detail::to_u8(message.body[0]);
         } else {
             asked.is_awaited = false;
-            if (message.number == last_.number) {
+            if (message.number == awaited) {
                 size_ = left_ = rtu_frame_of(message, response_).size();
             } else {
                 ++dropped_.late;
