@@ -16,7 +16,9 @@ int main(int argc, char** argv)
     if (line == nullptr or modbus_connect(line) != 0) {
         return 2;
     }
-    modbus_set_response_timeout(line, 0, static_cast<std::uint32_t>(std::atoi(argv[2])) * 1'000U);
+    auto const timeout_ms = static_cast<std::uint32_t>(std::atoi(argv[2]));
+    // A second and more in microseconds alone is refused.
+    modbus_set_response_timeout(line, timeout_ms / 1'000, timeout_ms % 1'000 * 1'000);
     for (char** word = argv + 3; word + 4 <= argv + argc; word += 4) {
         std::uint16_t values[125];
         int const address = std::atoi(word[2]), number = std::atoi(word[3]);
