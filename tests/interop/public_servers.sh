@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-# What `rtuwire check` says of public servers: of libmodbus and pymodbus (Debian's packages), of modbus-serial and jsmodbus (npm), of
-# nanoMODBUS and FreeMODBUS (their sources, see tests/sources_of_others.sh) and of this library. Prints the table of
-# docs/public-servers.md, in about seven minutes. Installs what it needs.
+# What `rtuwire check` says of public servers and clients: of libmodbus and pymodbus (Debian's packages), of modbus-serial and
+# jsmodbus (npm), of nanoMODBUS and FreeMODBUS (their sources, see tests/sources_of_others.sh) and of this library. Prints the tables
+# of docs/public-servers.md, in about seven minutes. Installs what it needs.
 #
-#   sh tests/interop/public_servers.sh [SERVER...]         such as `libmodbus freemodbus`; without a word all
-#   sh tests/interop/public_servers.sh --frames SERVER     what fails, with its frames
-#   sh tests/interop/public_servers.sh --page docs/public-servers.md [SERVER...]   what that page says otherwise
+#   sh tests/interop/public_servers.sh [LIBRARY...]        such as `libmodbus freemodbus`; without a word all
+#   sh tests/interop/public_servers.sh --clients           without the servers, in a minute
+#   sh tests/interop/public_servers.sh --frames LIBRARY    what fails, with its frames
+#   sh tests/interop/public_servers.sh --page docs/public-servers.md [LIBRARY...]   what that page says otherwise
 #
 # NODE_MODULES and SOURCES_OF_OTHERS name folders that have the packages and the sources already.
 set -eu
@@ -16,11 +17,11 @@ CDPATH='' cd "$(dirname "$0")/../.."
 sh tests/packages.sh build interop tool npm >&2
 . .ci/cache
 cmake --preset release >&2
-cmake --build build/release --target rtuwire_tool memory_libmodbus public_rtuwire_server >&2
+cmake --build build/release --target rtuwire_tool memory_libmodbus public_rtuwire_server checked_libmodbus checked_ours >&2
 place=build/public_servers
 mkdir -p "$place"
 
-# Whether one of the named servers is asked for: all are, where none is named.
+# Whether one of the named libraries is asked for: all are, where none is named.
 names=
 for word in "$@"; do
     case $word in --* | */*) ;; *) names="$names $word" ;; esac
@@ -38,8 +39,8 @@ if wants modbus_serial jsmodbus && { [ ! -d "$packages/modbus-serial" ] || [ ! -
     npm install --no-audit --no-fund --ignore-scripts --prefix build/npm modbus-serial@8.0.25 jsmodbus@5.0.0 >&2
 fi
 
-# serve NAME SOURCES' WORDS PROGRAM'S WORDS SOURCES: a server of C sources, and beside it their commit.
-serve() {
+# make_program NAME SOURCES' WORDS PROGRAM'S WORDS SOURCES: a program of C sources, and beside it their commit.
+make_program() {
     objects=
     for source in $4; do
         object=$place/$1-$(basename "$source").o
@@ -54,13 +55,14 @@ serve() {
 if wants nanomodbus freemodbus; then
     sources=${SOURCES_OF_OTHERS:-$PWD/build/sources}
     sh tests/sources_of_others.sh "$sources" >&2
-    serve nanomodbus_server -DNMBS_CLIENT_DISABLED "-I$sources/nanoMODBUS" "$sources/nanoMODBUS/nanomodbus"
+    make_program nanomodbus_server -DNMBS_CLIENT_DISABLED "-I$sources/nanoMODBUS" "$sources/nanoMODBUS/nanomodbus"
+    make_program nanomodbus_client -DNMBS_SERVER_DISABLED "-I$sources/nanoMODBUS" "$sources/nanoMODBUS/nanomodbus"
     free=$sources/freemodbus/modbus parts=
     for part in mb rtu/mbrtu rtu/mbcrc functions/mbfunccoils functions/mbfuncdisc functions/mbfuncholding functions/mbfuncinput \
         functions/mbfuncother functions/mbutils; do
         parts="$parts $free/$part"
     done
-    serve freemodbus_server -DMB_ASCII_ENABLED=0 "-Ibench/size/peers -I$free/include -I$free/rtu" "$parts"
+    make_program freemodbus_server -DMB_ASCII_ENABLED=0 "-Ibench/size/peers -I$free/include -I$free/rtu" "$parts"
 fi
 
 /usr/bin/python3 -B tests/interop/public_servers.py build/release --node-modules "$packages" --sources "$place" "$@"

@@ -6,39 +6,13 @@
 #include <cstdint>
 #include <cstdio>
 
-#include <nanomodbus.h>
-#include <poll.h>
-#include <unistd.h>
-
-#include "serial_line.hpp"
+#include "nanomodbus_line.hpp"
 
 namespace {
 
 constexpr std::size_t size = 128;
 std::array<std::uint16_t, size> holding, input;
 std::array<bool, size> coils, contacts;
-int device = -1;
-
-/// As the README wants it: until all have come, or one does not come in time.
-std::int32_t read_bytes(std::uint8_t* to, std::uint16_t count, std::int32_t timeout_ms, void*)
-{
-    std::int32_t got = 0;
-    while (got < count) {
-        pollfd waiting{device, POLLIN, 0};
-        ssize_t const some =
-            poll(&waiting, 1, timeout_ms) > 0 ? read(device, to + got, static_cast<std::size_t>(count - got)) : 0;
-        if (some <= 0) {
-            break;
-        }
-        got += static_cast<std::int32_t>(some);
-    }
-    return got;
-}
-
-std::int32_t write_bytes(std::uint8_t const* from, std::uint16_t count, std::int32_t, void*)
-{
-    return static_cast<std::int32_t>(write(device, from, count));
-}
 
 template <typename Bank>
 nmbs_error read_bits(Bank const& bank, std::uint16_t first, std::uint16_t count, std::uint8_t* out)
@@ -128,12 +102,8 @@ nmbs_callbacks all_callbacks()
 
 int main(int argc, char** argv)
 {
-    device = argc == 2 ? open_serial_line(argv[1]) : -1;
-    nmbs_platform_conf platform;
-    nmbs_platform_conf_create(&platform);
-    platform.transport = NMBS_TRANSPORT_RTU;
-    platform.read = read_bytes;
-    platform.write = write_bytes;
+    int device = argc == 2 ? open_serial_line(argv[1]) : -1;
+    nmbs_platform_conf const platform = nanomodbus_line(device);
     nmbs_callbacks const callbacks = all_callbacks();
     nmbs_t node;
     if (device < 0 or nmbs_server_create(&node, 1, &platform, &callbacks) != NMBS_ERROR_NONE) {
