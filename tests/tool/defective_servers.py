@@ -740,6 +740,19 @@ class NothingIsAnswered(Server):
         return super().read_holding(data)
 
 
+class NoneIsMissing(Server):
+    """A quantity of 0 is refused as a missing address. That is the order's fault alone: nothing is read or written."""
+    musts = "F01.5 F02.4 F03.8 F04.4 F15.7 F16.8 F23.6"
+
+    def block(self, data, size, limit, count):
+        refuse_if(len(data) == size and words(data[:4])[1] == 0, 2)
+        return super().block(data, size, limit, count)
+
+    def read_and_write(self, data):
+        refuse_if(len(data) == 9 and words(data)[3] == 0, 2)
+        return super().read_and_write(data)
+
+
 class LargestBlockRefused(Server):
     """124 registers at most. That should not be, and breaks no must."""
     shoulds = "F03.5"
