@@ -614,8 +614,7 @@ class LosesStepAfterKilobyte(Server):
 
 
 class SmallBuffer(Server):
-    """128 bytes: longer requests are dropped without a word, and one of them is due for a refusal by its quantity."""
-    musts = "F15.3"
+    """128 bytes: longer requests are dropped without a word."""
     shoulds = "L38 D02 F16.9"
 
     def is_whole(self, frame):
@@ -930,6 +929,34 @@ class ByteCountIgnored(Server):
         start, end = self.block(data, len(data), 123, REGISTERS)
         self.holding[start:end] = words(data[5:].ljust(246, b"\0"))[:end - start]
         return data[:4]
+
+
+WRONG_WRITES = {bytes([function | 0x80, 3]) for function in (15, 16, 23)}
+
+
+class SilentToWrongWrites(Server):
+    """Functions 15, 16 and 23: what is due for exception 03 gets nothing. Only what asks for the reason of a refusal misses it."""
+    musts = "F15.7 F16.8 F23.6"
+
+    def answer(self, function, data):
+        answer = super().answer(function, data)
+        return None if answer in WRONG_WRITES else answer
+
+
+class WrongWritesAreDone(Server):
+    """The same, and what was sent first is written: one byte of coils, one register."""
+    musts = "F15.3 F15.4 F15.5 F15.6 F15.7 F16.2 F16.3 F16.4 F16.5 F16.6 F16.8 F23.2 F23.3 F23.4 F23.6 F23.7"
+
+    def answer(self, function, data):
+        answer = super().answer(function, data)
+        if answer not in WRONG_WRITES:
+            return answer
+        at, given = (words(data)[2], data[9:]) if function == 23 else (words(data)[0], data[5:])
+        if function == 15 and given and at < BITS:
+            self.coils[at:at + 8] = unpacked(given[:1])
+        elif function != 15 and len(given) > 1 and at < REGISTERS:
+            self.holding[at] = words(given)[0]
+        return None
 
 
 class OneRegisterBehind(Server):
