@@ -1021,7 +1021,7 @@ class ReadsBeforeItWrites(Server):
 
 class WritesThoughRefused(Server):
     """Function 23 writes, and sees then that it cannot read there."""
-    musts = "F23.5"
+    musts = "F23.5 F23.8"
 
     def read_and_write(self, data):
         try:
@@ -1029,6 +1029,34 @@ class WritesThoughRefused(Server):
         except Refused as why:
             if why.args[0] == 2 and sum(words(data)[2:4]) <= REGISTERS:
                 self.holding[words(data)[2]:sum(words(data)[2:4])] = words(data[9:])
+            raise
+
+
+class WritesThoughMissing(Server):
+    """Function 23 refuses what goes beyond FFFFh at once, and writes before it sees that a register is not there."""
+    musts = "F23.8"
+
+    def read_and_write(self, data):
+        try:
+            return super().read_and_write(data)
+        except Refused as why:
+            start, quantity, into, given = words(data)[:4]
+            if why.args[0] == 2 and start + quantity <= 0x10000 and into + given <= REGISTERS:
+                self.holding[into:into + given] = words(data[9:])
+            raise
+
+
+class WritesThoughHalfMissing(Server):
+    """Function 23 looks for the first register that it is to read before it writes, and for the others behind that."""
+    musts = "F23.8"
+
+    def read_and_write(self, data):
+        try:
+            return super().read_and_write(data)
+        except Refused as why:
+            start, _, into, given = words(data)[:4]
+            if why.args[0] == 2 and start < REGISTERS and into + given <= REGISTERS:
+                self.holding[into:into + given] = words(data[9:])
             raise
 
 
