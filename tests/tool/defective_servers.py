@@ -682,6 +682,7 @@ class CoilsInWords(Server):
 class CountsOneTooMany(Server):
     """The byte count of input registers counts itself."""
     musts = "F04.2 L44"
+    shoulds = "F04.5"
 
     def read_inputs(self, data):
         answer = super().read_inputs(data)
@@ -759,6 +760,34 @@ class LargestBlockRefused(Server):
     def read_holding(self, data):
         refuse_if(len(data) == 4 and words(data)[1] == 125, 3)
         return super().read_holding(data)
+
+
+class LargestBlockOfInputsRefused(Server):
+    """1999 inputs and 124 input registers at most, as where a limit is compared with 'less than'."""
+    shoulds = "F02.5 F04.5"
+
+    def read_contacts(self, data):
+        refuse_if(len(data) == 4 and words(data)[1] == 2000, 3)
+        return super().read_contacts(data)
+
+    def read_inputs(self, data):
+        refuse_if(len(data) == 4 and words(data)[1] == 125, 3)
+        return super().read_inputs(data)
+
+
+class LargestBlockOfInputsCut(Server):
+    """Of the largest blocks the last byte and the last register are left out, and their byte count says so."""
+    shoulds = "F02.5 F04.5"
+
+    def read_contacts(self, data):
+        answer = super().read_contacts(data)
+        return answer if len(answer) < 251 else b"\xf9" + answer[1:-1]
+
+    def read_inputs(self, data):
+        if len(data) == 4 and words(data)[1] == 125:
+            values = self.inputs[words(data)[0]:][:124]
+            return bytes([2 * len(values)]) + in_bytes(values)
+        return super().read_inputs(data)
 
 
 class OneRegisterTooMany(Server):
