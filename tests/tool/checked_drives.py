@@ -4,9 +4,12 @@
 
     python3 checked_drives.py TOOL
 """
+import os
+import select
 import signal
 import threading
 import time
+import tty
 
 from defective_servers import SCRATCH, SCRATCH_COILS, UNIT, Server
 from defective_servers import Line as ServedLine
@@ -14,7 +17,7 @@ from support import DIFFERS, DONE, LIMIT, REFUSED, USAGE, Simulator, Tool, crc, 
 
 from simulator import Registers, asked, pymodbus_on  # noqa: I100
 
-QUICK = ("--timeout", 0.2, "--no-listen")  # long enough on a busy machine; with 1 s the drive that is checked trips
+QUICK = ("--timeout", 0.2, "--no-listen")  # long enough on a busy machine
 
 
 def held(device, unit, registers):
@@ -58,6 +61,70 @@ def check_drive(check, tool_path):
         check(held(device, 7, registers) == before, "command, reference and settings of the drive are as they were")
         ended = tool.run(*QUICK, "-u", 7, "read", "RFR", "ETA", port=device)
         check("30.0 Hz" in ended.output, "the motor runs on", ended)
+
+
+class SlowLine:
+    """Between the tool and a drive: what the drive says comes later; keeps when it heard what."""
+
+    def __init__(self, device, delay):
+        self.delay, self.heard, self.is_over = delay, [], threading.Event()
+        self.drive = os.open(device, os.O_RDWR | os.O_NOCTTY)
+        self.end, client = os.openpty()
+        for each in (self.drive, client):
+            tty.setraw(each)
+        self.client, self.name = client, os.ttyname(client)
+        self.thread = threading.Thread(target=self.run)
+
+    def __enter__(self):
+        self.thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self.is_over.set()
+        self.thread.join()
+        for each in (self.drive, self.end, self.client):
+            os.close(each)
+
+    def run(self):
+        while not self.is_over.is_set():
+            ready, _, _ = select.select([self.drive, self.end], [], [], 0.1)
+            if self.end in ready:
+                data = os.read(self.end, 4096)
+                self.heard.append((time.monotonic(), data))
+                os.write(self.drive, data)
+            if self.drive in ready:
+                data = os.read(self.drive, 4096)
+                time.sleep(self.delay)
+                os.write(self.end, data)
+
+    def longest_pause(self, unit):
+        """Between requests to that unit with a right CRC."""
+        times = [at for at, data in self.heard if data[:1] == bytes([unit]) and len(data) > 3 and crc(data) == 0]
+        return max(then - now for now, then in zip(times, times[1:]))
+
+
+def check_supervision(check, tool_path):
+    """A motor whose drive supervises its line runs on behind clauses in which nothing is said that the drive answers: what they
+    say is broken by reads, and what would leave too long a pause is not tried."""
+    registers = Registers("atv320")
+    with Tool(tool_path) as tool, Simulator(tool_path, "atv320:7", vendor="Schneider Electric") as device:
+        client = pymodbus_on(device)
+        asked(lambda: client.write_register(registers.tto, 46, slave=7))
+        client.close()
+        started(device, 7, registers)
+        before = held(device, 7, registers)
+        # L12 says nothing to the unit for 5 s, F03.10 may for 4 s, and each hundred frames of H02 last 8 s.
+        with SlowLine(device, 0.04) as line:
+            ended = tool.run("--timeout", 1, "--no-listen", "--yes", "-u", 7, "--json", "check", "--only", "L07,L12,F03.10,H02",
+                             "--hostile", 1, port=line.name, limit=2 * LIMIT)
+        check(held(device, 7, registers) == before and before[:3] == [15, 300, 46], "a motor runs on at a time-out of 4.6 s",
+              (before, line.longest_pause(7)))
+        rows = {row["clause"]: (row["verdict"], row["why"]) for row in ended.objects()}
+        check(ended.status == DONE and [rows[each][0] for each in ("L07", "L12", "H02")] == ["holds"] * 3, "the clauses hold", ended)
+        check(rows["F03.10"][0] == "not tried" and "4.6 s" in rows["F03.10"][1], "one would last too long, and says so", rows)
+        ended = tool.run("--timeout", 3, "--no-listen", "--yes", "-u", 7, "check", "--only", "L07", port=device)
+        check(ended.status == REFUSED and "--timeout 2.2" in ended.errors and not ended.output,
+              "a time-out that is too long for any of them is refused", ended)
 
 
 METER = """
@@ -177,6 +244,7 @@ def check_changes(check, tool_path):
 
 def main(check, tool_path):
     check_drive(check, tool_path)
+    check_supervision(check, tool_path)
     check_meters(check, tool_path)
     check_noise(check, tool_path)
     check_what_is_needed(check, tool_path)

@@ -7,6 +7,7 @@
 
 #include "exit_status.hpp"
 #include "frame/hex_text.hpp"
+#include "words/time_words.hpp"
 #include "words/words.hpp"
 
 namespace tool {
@@ -15,18 +16,13 @@ namespace {
 
 constexpr unsigned tries = 6;
 constexpr std::uint16_t first_scratch_word = 0x5A00;
+constexpr line_time quiet_silence{1'000'000};
 
 std::byte low(unsigned value) { return static_cast<std::byte>(value & 0xFFU); }
 std::byte high(unsigned value) { return static_cast<std::byte>(value >> 8U & 0xFFU); }
 
 /// "f08": what a clause of function 08 needs.
 std::string need_of(unsigned function) { return "f" + hex_of(line_bytes{low(function)}); }
-
-/// A normal answer to a frame with that function.
-bool is_normal(line_bytes const& came, line_bytes const& asked)
-{
-    return has_right_crc(came) and came[0] == asked[0] and came[1] == asked[1];
-}
 
 /// Without its high bit, or with a second byte, too: one clause judges that.
 bool is_exception(line_bytes const& came, unsigned code)
@@ -99,6 +95,98 @@ line_answer checked_unit::ask(std::vector<sent_piece> const& pieces, std::string
     return answer;
 }
 
+bool checked_unit::feed_before(line_time next)
+{
+    if (not longest_pause_ or not(where_.holding or where_.input) or line_.since_answered() + next <= *longest_pause_) {
+        return true;
+    }
+    line_bytes const read = plain_read(where_);
+    return is_allowed("OK1", line_.ask(read).bytes, read, {}, where_);
+}
+
+line_answer checked_unit::ask_fed(std::vector<sent_piece> const& pieces)
+{
+    static_cast<void>(feed_before(line_.time_without_answer(pieces, line_.longest_wait())));
+    return line_.ask(pieces);
+}
+
+namespace {
+
+/// "U 03" of "U 03 R 00 01 CRC": a question and its answer have the same.
+std::string_view unit_and_function(std::string_view step)
+{
+    return step.substr(0, step.find(' ', std::min(step.find(' '), step.size() - 1) + 1));
+}
+
+} // namespace
+
+/// That they take without an answer.
+line_time checked_unit::time_of(std::span<std::string_view const> steps) const
+{
+    line_time all{0};
+    for (std::string_view const each : steps) {
+        all += each == "READ" ? line_time{0} : line_.time_without_answer(pieces_of(each, where_), line_.longest_wait());
+    }
+    return all;
+}
+
+std::span<std::string_view const> checked_unit::run_of(std::span<std::string_view const> steps) const
+{
+    auto const read = std::ranges::find(steps, "READ");
+    if (read == steps.end()) {
+        return steps.first(1);
+    }
+    auto const judged = steps.first(static_cast<std::size_t>(read - steps.begin()) + 1);
+    if (not longest_pause_ or time_of(judged) <= *longest_pause_) {
+        return judged;
+    }
+    std::size_t same = 1;
+    while (unit_and_function(judged[same]) == unit_and_function(judged[0])) {
+        ++same;
+    }
+    return judged.first(same);
+}
+
+/// Without a request that the unit answers, where it answers those that it has to.
+line_time checked_unit::longest_pause_of(clause const& which) const
+{
+    line_time const once = line_.time_without_answer({}, line_.longest_wait());
+    if (not which.sends.starts_with('@')) {
+        line_time longest = which.state == clause_state::quiet ? quiet_silence : line_time{0};
+        std::vector<std::string_view> const steps = steps_of(which.sends);
+        for (std::span<std::string_view const> left{steps}; not left.empty();) {
+            auto const run = run_of(left);
+            longest = std::max(longest, time_of(run));
+            left = left.subspan(run.size());
+        }
+        return longest;
+    }
+    if (which.group == "hostile") {
+        line_time const sent = which.id == "H06"
+                                   ? line_time{3'000'000}
+                                   : rtuwire::to_chrono(line_.wire().characters(which.id == "H04" ? 1'000 : 300));
+        return sent + std::max(once, usual_wait());
+    }
+    return which.group == "08" ? 2 * once : once; // between two looks at a counter
+}
+
+std::optional<obstacle> checked_unit::pause_obstacle(clause const& which) const
+{
+    if (not longest_pause_) {
+        return std::nullopt;
+    }
+    try {
+        line_time const pause = longest_pause_of(which) + known_silence;
+        return pause <= *longest_pause_
+                   ? std::nullopt
+                   : std::optional{obstacle{false, "for up to " + seconds_text(pause) +
+                                                       " the unit hears no request that it answers, and " +
+                                                       may_pause_}};
+    } catch (unknown_place const&) {
+        return std::nullopt; // whoever judges it says that
+    }
+}
+
 void checked_unit::forget(std::string_view clause)
 {
     std::erase_if(exchanges_, [clause](kept_exchange_of_check const& each) { return each.clause == clause; });
@@ -107,7 +195,7 @@ void checked_unit::forget(std::string_view clause)
 bool checked_unit::reads(std::string_view words, std::size_t data)
 {
     line_bytes const asked = bytes_of(pieces_of(words, where_));
-    line_bytes const came = line_.ask(asked).bytes;
+    line_bytes const came = ask_fed({sent_piece{.bytes = asked}}).bytes;
     return is_normal(came, asked) and came.size() == 5 + data;
 }
 
@@ -115,17 +203,15 @@ bool checked_unit::is_there(unsigned function, std::uint16_t address)
 {
     line_bytes const asked =
         framed({std::byte{where_.unit}, low(function), high(address), low(address), std::byte{0}, std::byte{1}});
-    line_bytes const came = line_.ask(asked).bytes;
+    line_bytes const came = ask_fed({sent_piece{.bytes = asked}}).bytes;
     return is_normal(came, asked) and came.size() == (function < 3 ? 6U : 7U);
 }
 
 bool checked_unit::is_missing(unsigned function, std::uint16_t address)
 {
-    return is_exception(line_
-                            .ask(framed({std::byte{where_.unit}, low(function), high(address), low(address),
-                                         std::byte{0}, std::byte{1}}))
-                            .bytes,
-                        2);
+    line_bytes const asked =
+        framed({std::byte{where_.unit}, low(function), high(address), low(address), std::byte{0}, std::byte{1}});
+    return is_exception(ask_fed({sent_piece{.bytes = asked}}).bytes, 2);
 }
 
 /// What the request before did to the unit is not this one's, and one lost frame is no silence.
@@ -134,8 +220,8 @@ line_bytes checked_unit::ask_from_known(std::vector<sent_piece> const& pieces)
     if (where_.holding or where_.input) {
         static_cast<void>(establish(clause_state::known));
     }
-    line_bytes const came = line_.ask(pieces).bytes;
-    return came.empty() ? line_.ask(pieces).bytes : came;
+    line_bytes const came = ask_fed(pieces).bytes;
+    return came.empty() ? ask_fed(pieces).bytes : came;
 }
 
 /// A place that most devices have one of; nothing where none of them answers.
@@ -145,6 +231,7 @@ std::optional<std::uint16_t> checked_unit::first_readable(unsigned function)
     for (std::uint16_t const each : usual) {
         line_bytes const asked =
             framed({std::byte{where_.unit}, low(function), high(each), low(each), std::byte{0}, std::byte{1}});
+        static_cast<void>(feed_before(line_.time_without_answer({}, line_.longest_wait())));
         line_bytes const came = ask({sent_piece{.bytes = asked}}, "discovery").bytes;
         if (is_normal(came, asked)) {
             functions_.insert(function);
@@ -237,7 +324,7 @@ void checked_unit::find_other()
         line_bytes read = plain_read(where_);
         read.front() = std::byte{each};
         read.resize(read.size() - 2);
-        if (each != where_.unit and line_.ask(framed(read)).bytes.empty()) {
+        if (each != where_.unit and ask_fed({sent_piece{.bytes = framed(read)}}).bytes.empty()) {
             return;
         }
     }
@@ -493,6 +580,9 @@ std::optional<obstacle> checked_unit::why_not_asked(clause const& which) const
     if (which.state == clause_state::coils and not where_.scratch_coil) {
         return obstacle{false, "it writes: --scratch-coils names 16 coils that may be changed"};
     }
+    if (auto const why = pause_obstacle(which)) {
+        return why;
+    }
     if (line_.has_numbers() and needs_serial_line(which)) {
         return obstacle{true, "it needs a serial line: Modbus TCP has no CRC, no silence and no broadcast"};
     }
@@ -571,8 +661,10 @@ bool checked_unit::establish(clause_state state)
     if (state == clause_state::last) {
         return true;
     }
-    line_.wait_for_quiet(state == clause_state::quiet ? line_time{1'000'000}
-                                                      : std::max(known_silence, line_.silence()));
+    if (state == clause_state::quiet) {
+        static_cast<void>(feed_before(quiet_silence));
+    }
+    line_.wait_for_quiet(state == clause_state::quiet ? quiet_silence : std::max(known_silence, line_.silence()));
     if (state == clause_state::quiet) {
         return true;
     }

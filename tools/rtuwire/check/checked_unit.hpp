@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "check/clause.hpp"
@@ -61,6 +62,24 @@ public:
     /// False where the unit does not come to it.
     bool establish(clause_state state);
 
+    /// Of a unit that supervises its line, and may be without a request that it answers for so long; `why` is said of clauses
+    /// that would take longer.
+    void keep_fed(line_time longest_pause, std::string why)
+    {
+        longest_pause_ = longest_pause;
+        may_pause_ = std::move(why);
+    }
+    /// Asks the plain read where that would become too long with what takes so long. False where it is not answered.
+    bool feed_before(line_time next);
+    /// The same, with steps.
+    bool feed_before(std::span<std::string_view const> steps)
+    {
+        return not longest_pause_ or feed_before(time_of(steps));
+    }
+    /// Of these steps the first that go without a read between them: up to the plain read that judges them, or one alone. Where
+    /// that lasts too long, up to the end of an exchange.
+    std::span<std::string_view const> run_of(std::span<std::string_view const> steps) const;
+
     line_answer ask(std::vector<sent_piece> const& pieces, std::string_view clause);
     line_answer ask(std::string_view words, std::string_view clause) { return ask(pieces_of(words, where_), clause); }
 
@@ -85,6 +104,10 @@ public:
     std::vector<unsigned> const& claimed() const { return claimed_; }
 
 private:
+    line_time time_of(std::span<std::string_view const> steps) const;
+    line_time longest_pause_of(clause const& which) const;
+    std::optional<obstacle> pause_obstacle(clause const& which) const;
+    line_answer ask_fed(std::vector<sent_piece> const& pieces);
     bool is_needed(std::string_view need) const;
     bool needs_serial_line(clause const& which) const;
     bool reads(std::string_view words, std::size_t data);
@@ -109,6 +132,8 @@ private:
 
     probed_line& line_;
     check_choices const& how_;
+    std::optional<line_time> longest_pause_{};
+    std::string may_pause_{};
     std::span<clause const* const> wanted_{};
     known_places where_{};
     std::set<unsigned> functions_{}; ///< that it has

@@ -187,12 +187,17 @@ private:
     trouble behind(std::span<line_bytes const> frames, line_time wait)
     {
         trouble found;
+        auto const is_there = [&] { return wait < usual_ ? is_alive_behind_haste() : is_alive(); };
         for (std::size_t i = 0; i < frames.size() and noted_signal() == 0; ++i) {
-            line_bytes const came = unit_.line().ask({sent_piece{.bytes = frames[i]}}, wait).bytes;
+            std::vector<sent_piece> const piece{sent_piece{.bytes = frames[i]}};
+            if (not unit_.feed_before(unit_.line().time_without_answer(piece, wait)) and not is_there()) {
+                break;
+            }
+            line_bytes const came = unit_.line().ask(piece, wait).bytes;
             found.silent_from = came.empty() ? found.silent_from : i + 1;
             found.flaw = found.flaw.empty() ? flaw_of(came, frames[i]) : found.flaw;
         }
-        found.is_deaf = not(wait < usual_ ? is_alive_behind_haste() : is_alive()) and noted_signal() == 0;
+        found.is_deaf = not is_there() and noted_signal() == 0;
         found.passed = unit_.line().take_passed(); // a minute is some megabytes
         return found;
     }

@@ -77,12 +77,34 @@ std::optional<std::size_t> stated_size(rtuwire::byte_view came, rtuwire::byte_vi
     }
 }
 
-probed_line::probed_line(any_port& port, exchange_log& log, rtuwire::line_timing const& wire, line_time longest_wait)
-    : port_{port}, log_{log}, wire_{wire}, longest_wait_{longest_wait}, has_wire_{port.timing().has_wire() and
-                                                                                  not is_pseudo_terminal(port.device())}
+bool is_normal(line_bytes const& came, line_bytes const& asked)
+{
+    return has_right_crc(came) and has_right_crc(asked) and came[0] == asked[0] and came[1] == asked[1];
+}
+
+probed_line::probed_line(any_port& port, exchange_log& log, rtuwire::line_timing const& wire, line_time longest_wait,
+                         std::uint8_t unit)
+    : port_{port}, log_{log}, wire_{wire}, longest_wait_{longest_wait}, unit_{unit},
+      has_wire_{port.timing().has_wire() and not is_pseudo_terminal(port.device())}
 {}
 
 line_time probed_line::silence() const { return rtuwire::to_chrono(std::max(wire_.t3_5(), port_.timing().silence())); }
+
+line_time probed_line::time_without_answer(std::vector<sent_piece> const& pieces, line_time wait) const
+{
+    line_time all = silence() + wait;
+    for (sent_piece const& each : pieces) {
+        all += line_time{1'000 * std::int64_t{each.ms} +
+                         static_cast<std::int64_t>(each.characters * wire_.characters(1).microseconds)} +
+               rtuwire::to_chrono(wire_.characters(each.bytes.size()));
+    }
+    return all;
+}
+
+line_time probed_line::since_answered() const
+{
+    return std::chrono::duration_cast<line_time>(clock::now() - answered_);
+}
 
 void probed_line::note(bool is_sent, line_bytes const& bytes)
 {
@@ -188,6 +210,9 @@ line_answer probed_line::ask(std::vector<sent_piece> const& pieces, line_time wa
     }
     answer.bytes.insert(answer.bytes.begin(), early_.begin(), early_.end());
     is_unanswered_ = answer.bytes.empty();
+    if (is_normal(answer.bytes, asked) and asked[0] == unit_) {
+        answered_ = sent;
+    }
     if (not is_unanswered_) {
         note(false, answer.bytes);
     }

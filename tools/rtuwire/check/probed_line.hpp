@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -34,15 +35,24 @@ struct line_answer {
 /// `asked` is its request, whose size that of an echo is.
 [[nodiscard]] std::optional<std::size_t> stated_size(rtuwire::byte_view came, rtuwire::byte_view asked);
 
+/// A normal answer to a frame with that function.
+[[nodiscard]] bool is_normal(line_bytes const& came, line_bytes const& asked);
+
 class probed_line {
 public:
-    /// `longest_wait`: for a response.
-    probed_line(any_port& port, exchange_log& log, rtuwire::line_timing const& wire, line_time longest_wait);
+    /// `longest_wait`: for a response. `unit`: that is checked.
+    probed_line(any_port& port, exchange_log& log, rtuwire::line_timing const& wire, line_time longest_wait,
+                std::uint8_t unit);
 
     /// Keeps the silence before a frame, sends, and waits for the answer.
     line_answer ask(std::vector<sent_piece> const& pieces) { return ask(pieces, longest_wait_); }
     line_answer ask(std::vector<sent_piece> const& pieces, line_time wait);
     line_answer ask(line_bytes const& frame) { return ask({sent_piece{.bytes = frame}}); }
+
+    /// How long asking takes at most where no answer comes.
+    [[nodiscard]] line_time time_without_answer(std::vector<sent_piece> const& pieces, line_time wait) const;
+    /// Since the unit heard a request that it answered as one: no exception.
+    [[nodiscard]] line_time since_answered() const;
 
     /// Drops what comes until nothing came for so long; at most ten times as long. A whole frame behind a request that got no
     /// answer is a late one.
@@ -77,9 +87,11 @@ private:
     exchange_log& log_;
     rtuwire::line_timing wire_; ///< of the settings, where the port has none, too
     line_time longest_wait_;
+    std::byte unit_;
     bool has_wire_;
     std::vector<passed_bytes> passed_{};
     clock::time_point last_byte_{clock::now()}; ///< that passed
+    clock::time_point answered_{clock::now()};  ///< when the last request had left that the unit answered
     bool has_kept_silences_{true};
     line_bytes early_{};        ///< what came inside of that request
     bool is_unanswered_{false}; ///< the request that went last

@@ -172,6 +172,7 @@ private:
         for (unsigned i = 0; i < 128; ++i) {
             line_bytes const asked = framed({std::byte{unit_.where().unit}, std::byte{0x2B}, std::byte{0x0E},
                                              static_cast<std::byte>(code), object});
+            static_cast<void>(unit_.feed_before(unit_.line().time_without_answer({}, unit_.line().longest_wait())));
             line_bytes const came = unit_.ask(as_piece(asked), which_.id).bytes;
             if (not is_allowed("IDENT", came, asked, {}, unit_.where())) {
                 if (why != nullptr and (came.size() < 2 or came[1] == std::byte{0x2B})) {
@@ -468,7 +469,19 @@ judgement steps_judged(checked_unit& unit, clause const& which)
 {
     std::vector<std::string_view> const sends = steps_of(which.sends), comes = steps_of(which.comes);
     line_bytes before;
+    std::size_t end_of_run = 0;
     for (std::size_t i = 0; i < sends.size(); ++i) {
+        if (i == end_of_run) {
+            auto const run = unit.run_of(std::span{sends}.subspan(i));
+            if (not unit.feed_before(run)) {
+                bool const is_judged = i > 0 and sends.back() == "READ"; // as that one
+                return {is_judged ? verdict::fails : verdict::not_tried,
+                        "a plain read before step " + std::to_string(i + 1) + " of " + std::to_string(sends.size()) +
+                            ", as the unit supervises the line, was not answered",
+                        {}};
+            }
+            end_of_run += run.size();
+        }
         std::vector<sent_piece> const pieces = pieces_of(sends[i], unit.where());
         line_bytes const asked = bytes_of(pieces);
         line_bytes const came = unit.ask(pieces, which.id).bytes;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Holds a server, or a client, against the clauses of the specification. It only reads, where nothing else is allowed.
 #include <cstdio>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "port/any_port.hpp"
 #include "port/served_port.hpp"
 #include "words/suggestion.hpp"
+#include "words/time_words.hpp"
 
 namespace tool {
 
@@ -89,12 +91,19 @@ public:
     exit_status run()
     {
         open_line line{chosen_.line};
-        drive_catalog const* const drive = drive_there(line);
+        fed_unit const who = unit_there(line);
         line_setting const setting = setting_in(chosen_.line);
         double const seconds = chosen_.line.response_timeout.value_or(usual_wait);
+        std::optional<fed_pause> const pause = pause_of(line, unit_.unit, who);
+        if (pause) {
+            refuse_long_wait(time_of(seconds), *pause);
+        }
         probed_line probed{line.port(), line.exchange(), rtuwire::line_timing{setting.baud, setting.format},
-                           time_of(seconds)};
+                           time_of(seconds), unit_.unit.byte()};
         checked_unit unit{probed, unit_.unit.byte(), chosen_.check};
+        if (pause) {
+            unit.keep_fed(pause->longest, pause->why + ": a shorter --timeout takes less");
+        }
         unit.claim(profile_.functions());
         note_signals();
         try {
@@ -109,8 +118,8 @@ public:
             throw;
         }
         put_back(unit);
-        if (drive != nullptr) {
-            leave(line, *drive);
+        if (who.drive != nullptr) {
+            leave(line, *who.drive);
         }
         tell_pace(unit);
         profile_.tell();
@@ -120,7 +129,7 @@ public:
 
 private:
     /// A drive is never sent what may change it, and is asked that much only where somebody says so.
-    drive_catalog const* drive_there(open_line& line) const
+    fed_unit unit_there(open_line& line) const
     {
         fed_unit const who = who_is_fed(line, unit_);
         if (who.may_be_drive and may_change_) {
@@ -131,7 +140,22 @@ private:
         if (not line.port().is_simulated()) {
             ask_before_it_is_fed(who, unit_, chosen_.allowed, "a check", "check it?");
         }
-        return who.drive;
+        return who;
+    }
+
+    /// No question may be left without an answer for longer than a drive may be without one.
+    void refuse_long_wait(line_time wait, fed_pause const& pause) const
+    {
+        constexpr line_time besides{100'000}, tenth{100'000}; // what a machine takes besides; a figure to say
+        if (wait + besides <= pause.longest) {
+            return;
+        }
+        auto const most = (pause.longest - besides) / tenth;
+        refuse_for_safety(
+            "--timeout: for " + seconds_text(wait) + " behind each request without an answer unit " +
+            std::to_string(unit_.unit.byte()) + " hears none that it answers, and " + pause.why +
+            (most > 0 ? "; say --timeout " + std::to_string(most / 10) + '.' + std::to_string(most % 10) + " or less"
+                      : std::string{}));
     }
 
     void leave(open_line& line, drive_catalog const& drive)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "line/left_alone.hpp"
 
-#include <optional>
-
 namespace tool {
 
 namespace {
+
+constexpr std::uint32_t tenth = 100'000;
 
 std::optional<std::uint16_t> word_at(open_line& line, rtuwire::unit_id unit, std::uint16_t address)
 {
@@ -24,22 +24,32 @@ bool ends_in_fault(std::uint16_t reaction)
 /// "after 10.0 s"; nothing where the drive does not trip.
 std::optional<std::string> end_of(open_line& line, rtuwire::unit_id unit, rtuwire::altivar::drive_layout const& layout)
 {
-    auto const& at = layout.safeguards;
-    auto const reaction = word_at(line, unit, at.nto != 0 ? layout.cmi : at.sll);
-    bool const trips = not reaction or (at.nto != 0 ? (*reaction & at.nto) == 0 : ends_in_fault(*reaction));
-    auto const told = trips and at.tto != 0 ? word_at(line, unit, at.tto) : std::nullopt;
-    if (not trips or told == std::uint16_t{0}) {
+    line_supervision const found = supervision_of(line, unit, layout);
+    if (found.is_off or not found.ends_in_fault) {
         return std::nullopt;
     }
-    constexpr std::uint32_t tenth = 100'000;
-    bool const is_known = told or at.tto == 0;
-    auto const fixed = is_known ? at.fixed_timeout : layout.longest_silence;
-    std::uint32_t const tenths = told ? *told : fixed.microseconds / tenth;
-    return (is_known ? "after " : "after at most ") + std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) +
-           " s";
+    std::uint32_t const tenths = found.tenths ? *found.tenths : layout.longest_silence.microseconds / tenth;
+    return (found.tenths ? "after " : "after at most ") + std::to_string(tenths / 10) + '.' +
+           std::to_string(tenths % 10) + " s";
 }
 
 } // namespace
+
+line_supervision supervision_of(open_line& line, rtuwire::unit_id unit, rtuwire::altivar::drive_layout const& layout)
+{
+    auto const& at = layout.safeguards;
+    line_supervision found;
+    if (auto const reaction = word_at(line, unit, at.nto != 0 ? layout.cmi : at.sll)) {
+        found.is_off = at.nto != 0 ? (*reaction & at.nto) != 0 : *reaction == 0;
+        found.ends_in_fault = at.nto != 0 ? not found.is_off : ends_in_fault(*reaction);
+    }
+    if (not found.is_off) {
+        found.tenths = at.tto != 0 ? word_at(line, unit, at.tto)
+                                   : std::optional{static_cast<std::uint16_t>(at.fixed_timeout.microseconds / tenth)};
+        found.is_off = found.tenths == std::uint16_t{0};
+    }
+    return found;
+}
 
 void left_alone::note(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive, std::string const& reset)
 {

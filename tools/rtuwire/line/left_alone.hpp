@@ -5,12 +5,23 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "catalog/catalog.hpp"
 #include "line/open_line.hpp"
 
 namespace tool {
+
+/// How a drive supervises its line.
+struct line_supervision {
+    bool is_off{false};                    ///< a silent line changes nothing
+    bool ends_in_fault{true};              ///< where it is known, else taken to be so
+    std::optional<std::uint16_t> tenths{}; ///< of a second, without a request; nothing where the drive does not tell
+};
+
+/// Reads it, by two requests at most.
+line_supervision supervision_of(open_line& line, rtuwire::unit_id unit, rtuwire::altivar::drive_layout const& layout);
 
 class left_alone {
 public:

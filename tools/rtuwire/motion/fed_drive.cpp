@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "motion/fed_drive.hpp"
 
+#include "line/left_alone.hpp"
 #include "motion/question.hpp"
+#include "words/time_words.hpp"
 
 namespace tool {
 
@@ -15,6 +17,22 @@ fed_unit who_is_fed(open_line& line, named_unit const& unit)
         return {};
     }
     return {true, who.drive.empty() ? nullptr : &catalog_chosen(who.drive)};
+}
+
+std::optional<fed_pause> pause_of(open_line& line, rtuwire::unit_id unit, fed_unit const& who)
+{
+    if (not who.may_be_drive) {
+        return std::nullopt;
+    }
+    auto const found = who.drive == nullptr ? line_supervision{} : supervision_of(line, unit, who.drive->layout);
+    if (found.is_off) {
+        return std::nullopt;
+    }
+    constexpr std::chrono::milliseconds tenth{100}, usual{7'000};
+    auto const time_out = found.tenths ? tenth * *found.tenths : usual;
+    auto const longest = time_out / (found.tenths ? 2 : 3);
+    std::string const what = found.tenths ? "its time-out of " : "its time-out, which is not known and may be ";
+    return fed_pause{longest, what + seconds_text(time_out) + " allows " + seconds_text(longest)};
 }
 
 void ask_before_it_is_fed(fed_unit const& who, named_unit const& unit, permissions const& allowed,

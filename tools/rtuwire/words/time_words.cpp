@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "words/time_words.hpp"
 
+#include <array>
+#include <cstdio>
+
 #include "words/amount_words.hpp"
 
 namespace tool {
@@ -20,6 +23,13 @@ std::optional<double> time_limit_typed(std::string_view text)
 {
     auto const seconds = seconds_typed(text);
     return seconds and *seconds > 0 ? seconds : std::nullopt;
+}
+
+std::string seconds_text(std::chrono::microseconds time)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g s", static_cast<double>(time.count()) / 1e6);
+    return text.data();
 }
 
 } // namespace tool

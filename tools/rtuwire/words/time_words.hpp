@@ -4,6 +4,7 @@
 // Lengths of time as people type them: "200ms", "10s", "5min", "8h". A number without a unit counts in seconds.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,5 +18,8 @@ inline constexpr double longest_time = 366.0 * 86'400.0; ///< seconds, that a co
 
 /// The same for a length after which a command ends: never zero or below, which could be taken for "without end".
 [[nodiscard]] std::optional<double> time_limit_typed(std::string_view text);
+
+/// "2.25 s".
+[[nodiscard]] std::string seconds_text(std::chrono::microseconds time);
 
 } // namespace tool
