@@ -13,7 +13,7 @@ import tty
 
 from defective_servers import SCRATCH, SCRATCH_COILS, UNIT, Server
 from defective_servers import Line as ServedLine
-from support import DIFFERS, DONE, LIMIT, REFUSED, USAGE, Simulator, Tool, crc, runs, soon
+from support import DIFFERS, DONE, LIMIT, REFUSED, USAGE, Simulator, Tool, Units, crc, runs, soon
 
 from simulator import Registers, asked, pymodbus_on  # noqa: I100
 
@@ -125,6 +125,14 @@ def check_supervision(check, tool_path):
         ended = tool.run("--timeout", 3, "--no-listen", "--yes", "-u", 7, "check", "--only", "L07", port=device)
         check(ended.status == REFUSED and "--timeout 2.2" in ended.errors and not ended.output,
               "a time-out that is too long for any of them is refused", ended)
+    # What may be a drive, and does not tell: a third of 7 s.
+    with Tool(tool_path) as tool, Units({7: {3201: 1, 8501: 0}}) as line:
+        for seconds, status in ((3, REFUSED), (1, DONE)):
+            ended = tool.run("--timeout", seconds, "--no-listen", "--yes", "-u", 7, "--json", "check", "--only", "L07,F03.10", port=line.name)
+            check(ended.status == status and (status == DONE or "7 s, allows 2.33 s; say --timeout 2.2" in ended.errors),
+                  f"a time-out of {seconds} s, of what may be a drive", ended)
+        rows = {row["clause"]: (row["verdict"], row["why"]) for row in ended.objects()}
+        check(rows["L07"][0] == "holds" and rows["F03.10"][0] == "not tried" and "may be 7 s" in rows["F03.10"][1], "and it says so", rows)
 
 
 METER = """

@@ -31,8 +31,9 @@ std::optional<fed_pause> pause_of(open_line& line, rtuwire::unit_id unit, fed_un
     constexpr std::chrono::milliseconds tenth{100}, usual{7'000};
     auto const time_out = found.tenths ? tenth * *found.tenths : usual;
     auto const longest = time_out / (found.tenths ? 2 : 3);
-    std::string const what = found.tenths ? "its time-out of " : "its time-out, which is not known and may be ";
-    return fed_pause{longest, what + seconds_text(time_out) + " allows " + seconds_text(longest)};
+    std::string const what = found.tenths ? "its time-out of " : "its time-out, which it does not tell and may be ";
+    return fed_pause{longest,
+                     what + seconds_text(time_out) + (found.tenths ? " allows " : ", allows ") + seconds_text(longest)};
 }
 
 void ask_before_it_is_fed(fed_unit const& who, named_unit const& unit, permissions const& allowed,
