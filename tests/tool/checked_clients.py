@@ -14,6 +14,7 @@ import subprocess
 import sys
 import threading
 import time
+import xml.etree.ElementTree
 
 from support import DIFFERS, DONE, HERE, USAGE, Line, Tool, runs
 
@@ -95,6 +96,7 @@ def check_clients(tool, check, ours, libmodbus, page):
         each.end(check)
     check_ports(tool, check)
     check_words(tool, check)
+    check_programs(tool, check)
 
 
 def check_npm(tool, check):
@@ -184,6 +186,45 @@ def check_words(tool, check):
     check(said.status == DIFFERS and verdicts == {"not tried"} and "ended with status 1" in said.objects()[0]["why"],
           "a client that does not read is one failure", said)
     check('failures="1" skipped="43"' in (tool.place / "client.xml").read_text(), "and one in the file for others")
+
+
+ASKS_8E1 = """
+import sys, serial
+line = serial.Serial(sys.argv[1], 19200, parity="E", timeout=int(sys.argv[2]) / 1000)
+line.write(bytes.fromhex("01030064000285D4"))
+answer = line.read(9)
+print(*[int.from_bytes(answer[at:at + 2], "big") for at in (3, 5)])
+"""
+ASKS_WITHOUT_END = """
+import os, sys, tty
+line = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)
+tty.setraw(line)
+for _ in range(3000):
+    os.write(line, bytes.fromhex("01030064000285D4"))
+"""
+
+
+def check_programs(tool, check):
+    """What is no client, or none that does what it is told."""
+    def checked_by(*command, only="K01", junit="one.xml"):
+        return tool.run("--timeout", TIMEOUT, "--json", "check", "--client", "--only", only, "--junit", tool.place / junit, "--",
+                        *command)
+
+    python = [sys.executable, "-c"]
+    said = checked_by(*python, ASKS_8E1)
+    check(said.status == DONE, "a client may ask for 8E1", said)
+    said = checked_by(*python, "print('4196 4197')")
+    check(said.status == DIFFERS and "no such request came" in said.objects()[0]["why"], "values that nobody asked for are none", said)
+    said = checked_by(*PROGRAM, "EndsAtFailure", only="K60,K74")
+    check(said.status == DIFFERS and "K60 was not tried" in said.errors and "clause K70" in said.errors,
+          "what hides a clause is no success, though it is another's", said)
+    said = checked_by("true", only="K11,K20")
+    check(said.status == DIFFERS and "clause K01" in said.errors, "nor is a program that does nothing", said)
+    said = checked_by(*python, "print('error: \\x1b[31m\\x01')", junit="marks.xml")
+    whys = [each.text for each in xml.etree.ElementTree.parse(tool.place / "marks.xml").iter("failure")]
+    check(said.status == DIFFERS and len(whys) == 1 and "x1B" in whys[0], "control characters are none in XML", (said, whys))
+    said = checked_by(*python, ASKS_WITHOUT_END, only="K01,K13")
+    check(said.status == DIFFERS, "who asks without end and reads nothing keeps nobody", said)
 
 
 PARTS = {"defects": check_defects, "clients": check_clients, "npm": check_npm}

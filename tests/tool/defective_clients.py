@@ -461,6 +461,18 @@ class OutOfStep(Client):
 
 
 # -------------------------------------------------------------------------------------------------------------------- repetitions
+class EndsAtFailure(Client):
+    """Is ended by its first error."""
+    musts = "K70"
+    unasked = "K60 K71 K72 K73 K74"
+
+    def ask(self, request):
+        try:
+            return super().ask(request)
+        except Failed as why:
+            raise SystemExit(f"traceback: {why}") from why
+
+
 class RepeatsRefused(Client):
     """Asks again for what is not there."""
     shoulds = "K42"

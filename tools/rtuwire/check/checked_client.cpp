@@ -237,6 +237,8 @@ line_time between(std::chrono::steady_clock::time_point from, std::chrono::stead
 
 judgement client_fails(std::string why) { return {verdict::fails, std::move(why), {}}; }
 judgement client_not_tried(std::string why) { return {verdict::not_tried, std::move(why), {}}; }
+/// What another clause is for.
+judgement client_hidden(std::string why) { return {verdict::not_tried, std::move(why), {}, true}; }
 
 /// "any / right" of "any / right; waits T".
 std::string_view results_in(clause const& which) { return which.applies.substr(0, which.applies.find(';')); }
@@ -275,7 +277,10 @@ void checked_client::send_due(client_run& run)
         }
         // Reckoned from before it was written: a silence behind it is measured too long, never too short.
         auto const began = clock::now();
-        port_.write(now.bytes, any_port::now() + rtuwire::milliseconds(1'000));
+        if (not port_.write(now.bytes, any_port::now() + rtuwire::milliseconds(1'000))) {
+            due_.clear(); // nobody reads: what is due is lost, as on a wire, and nothing waits for it
+            return;
+        }
         bool const is_on_wire = port_.is_device();
         last_said_ = began + (is_on_wire ? rtuwire::to_chrono(wire_.characters(now.bytes.size())) : line_time{0});
         run.passed.push_back({began, true, now.bytes});
@@ -408,27 +413,25 @@ std::size_t checked_client::times_sent()
 bool checked_client::is_usable() { return result_of(known_run("read U 100 2", "GOOD"), 0) == client_result::right; }
 
 /// Of a run that was cut, or did not get to all of its requests.
-judgement checked_client::without_result(client_run const& run) const
+judgement checked_client::without_result(client_run const& run)
 {
     if (not run.has_ended) {
-        return client_not_tried("the client did not end: clause K11");
+        return client_hidden("the client did not end: clause K11");
     }
     for (std::size_t i = 1; i < run.told.size(); ++i) {
         if (count_of(run, i) == 0) {
-            // One that ends at its first error is not seen behind it; one that goes on elsewhere goes on here.
-            auto const elsewhere = known_.find("read U 100 2 / read U 300 2\n- / GOOD");
-            bool const goes_on =
-                elsewhere != known_.end() and &elsewhere->second != &run and count_of(elsewhere->second, 1) > 0;
-            return judgement{goes_on ? verdict::fails : verdict::not_tried,
-                             "the client did not send request " + std::to_string(i + 1) + " (" + text_of(run.told[i]) +
-                                 ") behind the one before" + (run.end.empty() ? "" : ": " + run.end),
-                             {}};
+            std::string const why = "the client did not send request " + std::to_string(i + 1) + " (" +
+                                    text_of(run.told[i]) + ") behind the one before" +
+                                    (run.end.empty() ? "" : ": " + run.end);
+            client_run const& behind_silence = known_run("read U 100 2 / read U 300 2", "- / GOOD"); // clause K70
+            bool const is_seen = &behind_silence == &run or count_of(behind_silence, 1) > 0;
+            return is_seen ? client_fails(why) : client_hidden(why + "; it ends at its first error: clause K70");
         }
     }
     return {};
 }
 
-judgement checked_client::judged_results(clause const& which, client_run const& run) const
+judgement checked_client::judged_results(clause const& which, client_run const& run)
 {
     std::vector<std::string> const due = parts_of(results_in(which), " / ");
     judgement const cut = without_result(run);
@@ -436,8 +439,12 @@ judgement checked_client::judged_results(clause const& which, client_run const& 
         client_result const result = result_of(run, i);
         bool const is_due = due[i] == "any" or (result == client_result::right and due[i] != "error") or
                             (result == client_result::error and due[i] != "right");
-        if (is_due) {
+        if (is_due and (result != client_result::right or count_of(run, i) > 0)) {
             continue;
+        }
+        if (is_due) {
+            return client_fails("request " + std::to_string(i + 1) + " (" + text_of(run.told[i]) + "): '" +
+                                shortened(run.printed[i].text) + "' was printed, and no such request came");
         }
         bool const is_printed = i < run.printed.size();
         if (not is_printed and cut.how != verdict::holds and which.id != "K01") {
@@ -509,13 +516,13 @@ judgement checked_client::judged_requests(std::string_view rule, client_run cons
 judgement checked_client::judged_by_command(clause const& which)
 {
     if (which.id != "K01" and not is_usable()) {
-        return client_not_tried("clause K01 fails: the client does not read a register");
+        return client_hidden("clause K01 fails: the client does not read a register");
     }
     bool const needs_times = which.needs == "repeats" or which.comes.starts_with("LAST");
     if (needs_times) {
         static_cast<void>(known_run("read U 100 2", "-"));
         if (times_sent() == 0) {
-            return client_not_tried("the client did not end: clause K11");
+            return client_hidden("the client did not end: clause K11");
         }
         if (which.needs == "repeats" and times_sent() == 1) {
             return {verdict::does_not_apply, "the client repeats no read", {}};

@@ -73,9 +73,9 @@ private:
 
     judgement judged_by_command(clause const& which);
     judgement judged_by_line(clause const& which);
-    judgement judged_results(clause const& which, client_run const& run) const;
+    judgement judged_results(clause const& which, client_run const& run);
     judgement judged_requests(std::string_view rule, client_run const& run) const;
-    judgement without_result(client_run const& run) const;
+    judgement without_result(client_run const& run);
     client_run const& known_run(std::string_view asked, std::string_view answered);
     client_run run_by(std::string_view asked, std::string_view answered);
     std::string answer_to(client_request const& request, std::string_view answered, client_run const& run);

@@ -10,6 +10,7 @@
 
 #include "exit_status.hpp"
 #include "frame/hex_text.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -113,7 +114,7 @@ void write_junit(std::string const& path, std::string const& unit, std::span<jud
                                 each.found.how == verdict::known;
         failures += fails ? 1U : 0U;
         skipped += is_skipped ? 1U : 0U;
-        std::string const why = escaped(each.found.why);
+        std::string const why = escaped(plain_text(each.found.why)); // XML has no control characters
         cases += "    <testcase classname=\"" + escaped(which.group) + "\" name=\"" + escaped(which.id) + "\">";
         cases += fails         ? "<failure message=\"" + escaped(which.harm) + "\">" + why + "</failure>"
                  : is_skipped  ? "<skipped message=\"" + why + "\"/>"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "line/end_wish.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -84,6 +85,12 @@ exit_status told_verdicts::tell(std::string const& what) const
     std::fprintf(stderr, "%zd clauses hold, %zd musts and %zd shoulds fail, %zd do not apply, %zd were not tried\n",
                  count(verdict::holds), fails, count(verdict::fails, clause_level::should),
                  count(verdict::does_not_apply), count(verdict::not_tried));
+    auto const hidden = std::ranges::find_if(rows_, [](judged_clause const& each) {
+        return each.found.is_hidden and each.which->level == clause_level::must;
+    });
+    if (fails == 0 and hidden != rows_.end()) {
+        tell_error(std::string{hidden->which->id} + " was not tried: " + hidden->found.why);
+    }
     if (noted_signal() != 0) {
         std::fprintf(stderr, "ended after %zu of %zu clauses\n", rows_.size(), clauses_);
     }
@@ -93,7 +100,7 @@ exit_status told_verdicts::tell(std::string const& what) const
     if (noted_signal() != 0) {
         return static_cast<exit_status>(128 + noted_signal());
     }
-    return fails > 0 ? exit_status::differs : exit_status::done;
+    return fails > 0 or hidden != rows_.end() ? exit_status::differs : exit_status::done;
 }
 
 } // namespace tool

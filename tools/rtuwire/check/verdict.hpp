@@ -25,6 +25,7 @@ struct judgement {
     verdict how{verdict::holds};
     std::string why{};                  ///< of all but `holds`: "step 2 of 3: ... came, ... may come"
     std::vector<passed_bytes> passed{}; ///< what was said on the line
+    bool is_hidden{false};              ///< not tried because of what another clause is for, as its reason says
 };
 
 /// The known state is established already.

@@ -14,6 +14,7 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include "exit_status.hpp"
@@ -139,6 +140,17 @@ void served_port::open_pseudo_terminal()
         throw ended{exit_status::port, "no pseudo-terminal to be had"};
     }
     name_ = port.path();
+    // A pseudo-terminal has no parity: a client's request for 8E1 is refused where nothing of it changes anything, so it finds
+    // another bit rate here than any that it asks for.
+    int const far = ::open(name_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    termios settings{};
+    if (far >= 0 and ::tcgetattr(far, &settings) == 0) {
+        ::cfsetspeed(&settings, B50);
+        static_cast<void>(::tcsetattr(far, TCSANOW, &settings));
+    }
+    if (far >= 0) {
+        ::close(far);
+    }
 }
 
 void served_port::renew()
@@ -150,17 +162,18 @@ void served_port::renew()
     }
 }
 
-void served_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
+bool served_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
 {
     if (auto* const device = std::get_if<rtuwire::posix_serial>(&port_)) {
         if (not device->write(bytes, until)) {
             throw ended{exit_status::port, device->failure()};
         }
     } else if (auto* const terminal = std::get_if<rtuwire::pseudo_terminal>(&port_)) {
-        static_cast<void>(terminal->write(bytes, until)); // full where nobody reads
+        return terminal->write(bytes, until).has_value(); // full where nobody reads
     } else {
         std::get<tcp_listener>(port_).write(bytes, until);
     }
+    return true;
 }
 
 rtuwire::byte_span served_port::read(rtuwire::byte_span place, rtuwire::instant until)

@@ -51,8 +51,8 @@ public:
     /// For the next client: nothing of what the one before left unread reaches it. A pseudo-terminal has a new name then.
     void renew();
 
-    /// Bytes that nobody takes are lost, as on a wire. Ends where the port fails.
-    void write(rtuwire::byte_view bytes, rtuwire::instant until);
+    /// Bytes that nobody takes are lost, as on a wire: false. Ends where the port fails.
+    [[nodiscard]] bool write(rtuwire::byte_view bytes, rtuwire::instant until);
     /// What came until then; empty where nothing did.
     rtuwire::byte_span read(rtuwire::byte_span place, rtuwire::instant until);
 
