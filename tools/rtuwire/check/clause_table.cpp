@@ -408,7 +408,7 @@ constexpr clause table[]{
      "Padding bits of the last byte switch outputs behind the range.",
      "functions 01 and 15 are there"},
     {"F15.3", "function 15", must, "AP 6.11", "scratch f01 f0F", coils,
-     "U 0F SC 00 00 00 CRC / U 0F SC 07 B1 F7 FF*247 CRC / U 01 SC 00 08 CRC",
+     "U 0F SC 00 00 00 CRC / U 0F SC 07 B1 F7 FF FF 00*245 CRC / U 01 SC 00 08 CRC",
      "- or U 8F 03 CRC or U 8F 02 CRC / - or U 8F 03 CRC or U 8F 02 CRC / U 01 01 00 CRC",
      "Quantities outside of 1 to 1968 are executed: memory behind the frame is used.",
      "functions 01 and 15 are there"},
