@@ -290,6 +290,107 @@ TEST_CASE("what is damaged into a request, or completes one, is kept back")
     CHECK_FALSE(server.lets_pass(raw({read.back()}), false)); // the byte that was lost comes by another way
 }
 
+namespace {
+
+/// What goes to the server of these requests, each in the pieces in which it goes; a request every 5 s.
+struct piecewise {
+    std::vector<std::vector<numbers>> pieces{};
+    std::vector<std::string> told{};
+};
+
+piecewise passed(std::string const& faults, std::uint32_t seed, numbers const& request, unsigned count)
+{
+    piecewise all;
+    disturbed_line line{{.faults = faults_in(faults),
+                         .seed = seed,
+                         .time_out = rtuwire::microseconds(time_out),
+                         .character = rtuwire::microseconds(573),
+                         .silence = rtuwire::milliseconds(20)},
+                        {[&](frame_way, rtuwire::byte_view bytes) {
+                             auto& last = all.pieces.back().emplace_back();
+                             for (std::byte const each : bytes) {
+                                 last.push_back(std::to_integer<std::uint8_t>(each));
+                             }
+                         },
+                         [&](rtuwire::traced_frame const&, std::string const& what) { all.told.push_back(what); }}};
+    rtuwire::instant now{1};
+    for (unsigned i = 0; i < count; ++i) {
+        all.pieces.emplace_back();
+        line.receive(frame_way::request, raw(request), now);
+        for (unsigned step = 0; step < 5'000; ++step) {
+            now = now + rtuwire::milliseconds(1);
+            line.advance(now);
+        }
+    }
+    return all;
+}
+
+numbers joined(std::vector<numbers> const& pieces, std::size_t from, std::size_t end)
+{
+    numbers all;
+    for (std::size_t i = from; i < end; ++i) {
+        all.insert(all.end(), pieces[i].begin(), pieces[i].end());
+    }
+    return all;
+}
+
+/// A write of registers to unit 9 that hold these bytes.
+numbers request_around(numbers const& data)
+{
+    auto const size = static_cast<std::uint8_t>(data.size());
+    numbers bytes{9, 16, 0, 100, 0, static_cast<std::uint8_t>(size / 2U), size};
+    bytes.insert(bytes.end(), data.begin(), data.end());
+    return with_crc(bytes);
+}
+
+} // namespace
+
+TEST_CASE("no pieces of a request are the request that its data hold")
+{
+    numbers const inner = with_crc({7, 6, 0x21, 0x35, 0, 0x0F});
+    numbers const request = request_around(inner);
+    for (char const* const faults : {"request-split=100%:20ms", "request-lumps=100%:4ms"}) {
+        unsigned cut = 0;
+        piecewise const all = passed(faults, 5, request, 2'000);
+        for (std::vector<numbers> const& pieces : all.pieces) {
+            REQUIRE(joined(pieces, 0, pieces.size()) == request);
+            cut += pieces.size() > 1 ? 1U : 0U;
+            for (std::size_t from = 0; from < pieces.size(); ++from) {
+                for (std::size_t end = from + 1; end <= pieces.size(); ++end) {
+                    REQUIRE(joined(pieces, from, end) != inner);
+                }
+            }
+        }
+        INFO(faults << ": " << cut);
+        CHECK(cut == 2'000); // it is cut still
+        CHECK(all.told == passed(faults, 5, request, 2'000).told);
+    }
+}
+
+TEST_CASE("a request whose data are frames from everywhere to everywhere is not cut")
+{
+    // Bytes behind which a CRC is as it began: what follows them is a frame as it is without them.
+    numbers idle{0, 0};
+    while (crc_of(idle, 0, 2) != 0xFFFF) {
+        idle[0] = static_cast<std::uint8_t>(idle[0] + 1);
+        idle[1] = static_cast<std::uint8_t>(idle[1] + (idle[0] == 0 ? 1 : 0));
+        REQUIRE((idle[0] != 0 or idle[1] != 0));
+    }
+    numbers data;
+    for (unsigned i = 0; i < 10; ++i) {
+        data.insert(data.end(), idle.begin(), idle.end());
+    }
+    numbers const inner = with_crc({7, 6, 0x21, 0x35, 0, 0x0F});
+    data.insert(data.end(), inner.begin(), inner.end());
+    data.resize(data.size() + 20, 0); // a right CRC stays right behind each of them
+    numbers const request = request_around(data);
+    piecewise const all = passed("request-lumps=100%:1ms", 5, request, 20);
+    for (std::vector<numbers> const& pieces : all.pieces) {
+        CHECK(pieces == std::vector<numbers>{request});
+    }
+    CHECK(all.told[1] == "request 1 left: whole, as pieces would be a frame of their own, piece 1 of 1");
+}
+
 TEST_CASE("what has no length is cut by silence, and no byte is lost")
 {
     numbers sent, came;

@@ -65,7 +65,7 @@ struct piece {
 };
 
 /// As an adapter hands on what comes off its wire.
-std::vector<piece> lumps_of(byte_view bytes, duration latency, duration character, random_source random)
+std::vector<piece> lumps_of(byte_view bytes, duration latency, duration character, random_source& random)
 {
     rtuwire::sim::usb_adapter adapter{latency, rtuwire::sim::usb_timer::from_last_packet};
     instant const begin{random.below(latency.microseconds)};
@@ -93,7 +93,7 @@ std::vector<piece> lumps_of(byte_view bytes, duration latency, duration characte
     return all;
 }
 
-std::vector<piece> pieces_of(byte_view bytes, duration longest, random_source random)
+std::vector<piece> pieces_of(byte_view bytes, duration longest, random_source& random)
 {
     constexpr std::uint32_t most = 4; // cuts
     std::vector<piece> all;
@@ -108,6 +108,26 @@ std::vector<piece> pieces_of(byte_view bytes, duration longest, random_source ra
     }
     all.push_back({bytes.subspan(begin), later});
     return all;
+}
+
+/// Whether one of them, or several behind each other, but not all, would be taken for a frame.
+bool has_frame_among(std::vector<piece> const& pieces)
+{
+    for (std::size_t first = 0; first < pieces.size(); ++first) {
+        rtuwire::running_crc16<> crc;
+        std::size_t size = 0;
+        for (std::size_t last = first; last < pieces.size(); ++last) {
+            for (std::byte const each : pieces[last].bytes) {
+                crc.add(each);
+            }
+            size += pieces[last].bytes.size();
+            bool const is_all = first == 0 and last + 1 == pieces.size();
+            if (size >= rtuwire::min_adu_size and crc.value() == 0 and not is_all) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -294,15 +314,28 @@ void disturbed_line::put_disturbed(passing_frame& it)
     }
 }
 
-/// As a whole, or cut as an adapter or a network does.
+/// As a whole, or cut as an adapter or a network does. No pieces are a frame that the data of this one hold: nobody sent it.
 void disturbed_line::put_pieces(passing_frame const& it, outgoing whole)
 {
+    constexpr unsigned draws = 32;
     line_fault const* const lumps = it.find(fault_kind::lumps);
     line_fault const* const split = it.find(fault_kind::split);
-    std::vector<piece> const pieces = split != nullptr ? pieces_of(whole.bytes, split->time, it.draws(*split))
-                                      : lumps != nullptr
-                                          ? lumps_of(whole.bytes, lumps->time, plan_.character, it.draws(*lumps))
-                                          : std::vector<piece>{{whole.bytes, {}}};
+    line_fault const* const cutting = split != nullptr ? split : lumps;
+    std::vector<piece> pieces{{whole.bytes, {}}};
+    if (cutting != nullptr) {
+        random_source random = it.draws(*cutting);
+        bool is_safe = false;
+        for (unsigned i = 0; i < draws and not is_safe; ++i) {
+            pieces = cutting == split ? pieces_of(whole.bytes, split->time, random)
+                                      : lumps_of(whole.bytes, lumps->time, plan_.character, random);
+            is_safe = not has_frame_among(pieces);
+        }
+        if (not is_safe) {
+            pieces = {{whole.bytes, {}}};
+            whole.told +=
+                std::string{whole.told.empty() ? "" : ", "} + "whole, as pieces would be a frame of their own";
+        }
+    }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         std::string told = whole.told;
         if (pieces.size() > 1 or lumps != nullptr) {
