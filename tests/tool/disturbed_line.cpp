@@ -391,6 +391,48 @@ TEST_CASE("a request whose data are frames from everywhere to everywhere is not 
     CHECK(all.told[1] == "request 1 left: whole, as pieces would be a frame of their own, piece 1 of 1");
 }
 
+TEST_CASE("what waits has a bound, and what comes beyond it is lost and told")
+{
+    numbers const answer = with_crc({1, 3, 4, 0, 1, 0, 2});
+    std::size_t sent = 0;
+    std::uint32_t lost = 0;
+    std::string why;
+    disturbed_line line{{.faults = faults_in("late=100%:60s,babble@1:60s"),
+                         .seed = 2,
+                         .time_out = rtuwire::microseconds(time_out),
+                         .character = rtuwire::microseconds(573),
+                         .silence = rtuwire::milliseconds(20)},
+                        {[&](frame_way, rtuwire::byte_view bytes) { sent += bytes.size(); },
+                         [&](rtuwire::traced_frame const& frame, std::string const& what) {
+                             if (what.find("came: lost") != what.npos) {
+                                 CHECK(frame.bytes.size() == answer.size());
+                                 why = why.empty() ? what : why;
+                                 ++lost;
+                             }
+                         }}};
+    rtuwire::instant now{1};
+    for (unsigned i = 0; i < 20'000; ++i) { // within 20 ms
+        now = now + rtuwire::microseconds(1);
+        line.receive(frame_way::answer, raw(answer), now);
+    }
+    INFO(why << "; " << sent);
+    CHECK(lost > 10'000);
+    CHECK(lost == line.counts(frame_way::answer).met.at("lost"));
+    CHECK(line.counts(frame_way::answer).frames == 20'000);
+    CHECK(why.find(" bytes wait before it") != why.npos);
+    // The rest is on its way still, and the babble goes on as long as it is said, though it is made as it goes.
+    for (unsigned i = 0; i < 13'000; ++i) {
+        now = now + rtuwire::milliseconds(10);
+        line.advance(now);
+    }
+    CHECK(not line.poll_deadline());
+    CHECK(sent > 3'000 * 16 + 65'000);
+    CHECK(sent < 3'001 * 16 + 66'000);
+    std::uint32_t const before = lost;
+    line.receive(frame_way::answer, raw(answer), now); // there is room again
+    CHECK(lost == before);
+}
+
 TEST_CASE("what has no length is cut by silence, and no byte is lost")
 {
     numbers sent, came;

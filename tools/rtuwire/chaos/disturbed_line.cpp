@@ -16,6 +16,8 @@ using rtuwire::sim::random_source;
 
 namespace {
 
+constexpr duration babble_pause = milliseconds(20);
+
 std::vector<std::byte> copy_of(byte_view bytes) { return {bytes.begin(), bytes.end()}; }
 
 duration drawn(random_source& random, duration most) { return duration{1 + random.below(most.microseconds)}; }
@@ -194,6 +196,18 @@ void disturbed_line::take(frame_way way, byte_view frame, instant now)
 {
     fault_counts& counts = at(counts_, way);
     passing_frame it{way, ++counts.frames, frame, now, plan_.seed};
+    if (at(waiting_, way) >= most_waiting) {
+        std::string const lost = name_of(fault_kind::lost, way);
+        ++counts.met[lost];
+        tell(way, frame, now,
+             {{},
+              now,
+              frame_verdict::good,
+              true,
+              false,
+              it.name() + " came: " + lost + ", as " + std::to_string(at(waiting_, way)) + " bytes wait before it"});
+        return;
+    }
     std::string kinds;
     for (line_fault const& each : plan_.faults) {
         if (each.way == way and it.find(each.kind) == nullptr and meets(each, plan_.seed, it.number)) {
@@ -232,16 +246,32 @@ void disturbed_line::give_back(passing_frame const& it)
 
 void disturbed_line::put_babble(passing_frame const& it, line_fault const& fault)
 {
+    std::uint32_t const count = 1 + fault.time_at(plan_.time_out).microseconds / babble_pause.microseconds;
+    outgoing first{{}, it.now, frame_verdict::stray, false, true, {}};
+    first.goes_on = babble_lumps{it.draws(fault), it.now, 0, count, it.left()};
+    take_next(first);
+    put(it.way, std::move(first));
+}
+
+void disturbed_line::take_next(outgoing& babble)
+{
     constexpr std::size_t lump = 16;
-    constexpr duration pause = milliseconds(20);
-    random_source random = it.draws(fault);
-    std::uint32_t const lumps = 1 + fault.time_at(plan_.time_out).microseconds / pause.microseconds;
-    for (std::uint32_t i = 0; i < lumps; ++i) {
-        std::vector<std::byte> bytes(lump);
-        rtuwire::sim::fill_babble(bytes, random);
-        put(it.way, {std::move(bytes), it.now + duration{i * pause.microseconds}, frame_verdict::stray, false, true,
-                     it.left() + "babble " + std::to_string(i + 1) + " of " + std::to_string(lumps)});
+    babble_lumps& all = *babble.goes_on;
+    instant const due = all.began + duration{all.number * babble_pause.microseconds};
+    babble.at = reached(babble.at, due) ? babble.at : due;
+    babble.bytes.resize(lump);
+    rtuwire::sim::fill_babble(babble.bytes, all.random);
+    ++all.number;
+    babble.told = all.told + "babble " + std::to_string(all.number) + " of " + std::to_string(all.count);
+}
+
+instant disturbed_line::outgoing::end() const
+{
+    if (not goes_on) {
+        return at;
     }
+    instant const last = goes_on->began + duration{(goes_on->count - 1) * babble_pause.microseconds};
+    return reached(at, last) ? at : last;
 }
 
 /// Returns when the frame itself may follow.
@@ -351,9 +381,10 @@ void disturbed_line::put_pieces(passing_frame const& it, outgoing whole)
 void disturbed_line::put(frame_way way, outgoing piece)
 {
     auto& queue = at(queues_, way);
-    if (not queue.empty() and not reached(piece.at, queue.back().at)) {
-        piece.at = queue.back().at;
+    if (not queue.empty() and not reached(piece.at, queue.back().end())) {
+        piece.at = queue.back().end();
     }
+    at(waiting_, way) += piece.bytes.size();
     queue.push_back(std::move(piece));
 }
 
@@ -361,9 +392,15 @@ void disturbed_line::release(frame_way way, instant now)
 {
     auto& queue = at(queues_, way);
     while (not queue.empty() and reached(now, queue.front().at)) {
-        outgoing const next = std::move(queue.front());
+        outgoing next = std::move(queue.front());
         queue.pop_front();
+        at(waiting_, way) -= next.bytes.size();
         send(way, next, now);
+        if (next.goes_on and next.goes_on->number < next.goes_on->count) {
+            take_next(next);
+            at(waiting_, way) += next.bytes.size();
+            queue.push_front(std::move(next));
+        }
     }
 }
 

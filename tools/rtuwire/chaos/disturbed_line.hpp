@@ -9,6 +9,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,7 +59,18 @@ public:
 
     [[nodiscard]] fault_counts const& counts(frame_way way) const { return at(counts_, way); }
 
+    /// Of one direction: a frame that comes while so many bytes wait is lost.
+    static constexpr std::size_t most_waiting = 65'536;
+
 private:
+    /// More bytes without sense, which are made when it is their turn.
+    struct babble_lumps {
+        rtuwire::sim::random_source random;
+        rtuwire::instant began;
+        std::uint32_t number; ///< of the last
+        std::uint32_t count;
+        std::string told;
+    };
     /// What goes out at a time, or when what stands before it has gone.
     struct outgoing {
         std::vector<std::byte> bytes;
@@ -67,6 +79,10 @@ private:
         bool is_frame; ///< a request or an answer, as a whole
         bool is_own;   ///< not as it came
         std::string told;
+        std::optional<babble_lumps> goes_on{};
+
+        /// When the last of it goes.
+        [[nodiscard]] rtuwire::instant end() const;
     };
     /// The frame that is on its way through, and what it meets.
     struct passing_frame;
@@ -74,6 +90,7 @@ private:
     void take(frame_way way, rtuwire::byte_view frame, rtuwire::instant now);
     void give_back(passing_frame const& it);
     void put_babble(passing_frame const& it, line_fault const& fault);
+    static void take_next(outgoing& babble);
     rtuwire::instant put_foreign(passing_frame const& it, line_fault const& fault);
     void put_disturbed(passing_frame& it);
     void put_pieces(passing_frame const& it, outgoing whole);
@@ -87,6 +104,7 @@ private:
     std::array<frame_cutter, 2> cutters_;
     std::array<request_guard, 2> guards_{request_guard{frame_way::request}, request_guard{frame_way::answer}};
     std::array<std::deque<outgoing>, 2> queues_{};
+    std::array<std::size_t, 2> waiting_{}; ///< bytes
     std::array<fault_counts, 2> counts_{};
 };
 
