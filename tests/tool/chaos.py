@@ -289,6 +289,15 @@ def check_ports(check, tool):
                                 (["--faults", "request-foreign=1%", "--dry"], USAGE, "command a motor")):
         ended = tool.run("chaos", *words)
         check(ended.status == status and says in ended.errors and not ended.output, f"{words} is refused", ended)
+    kept = tool.place / "kept.pcapng"
+    kept.write_bytes(b"of somebody")
+    for words, status, says in ((["-o", kept], PORT, f"-o {kept}: is there already"), (["-o", ""], USAGE, "a file has a name"),
+                                (["--seed", "4294967296"], USAGE, "4294967295"), (["--seed", "-1"], USAGE, "4294967295")):
+        ended = tool.run("chaos", "--from", "pty", "--to", "pty", "--faults", "lost=1%", "--for", "0.1s", *words)
+        check(ended.status == status and says in ended.errors and not ended.output, f"{words} is refused", ended)
+    check(kept.read_bytes() == b"of somebody", "a file that is there stays as it is")
+    ended = tool.run("--json", "chaos", "--faults", "lost=1%", "--seed", "4294967295", "--dry")
+    check(ended.status == DONE and ended.objects(), "the last seed is one", ended)
     ended = tool.run("chaos", "--from", "pty", "--to", "pty", "--faults", "lost=1%", port="/dev/null")
     check(ended.status == USAGE and "two ports" in ended.errors, "--port is refused", ended)
     one, two, other = (tool.run("--json", "chaos", "--faults", "late=1%,lost@250x5", "--seed", seed, "--dry").output for seed in (3, 3, 4))

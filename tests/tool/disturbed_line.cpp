@@ -493,5 +493,9 @@ TEST_CASE("a fault that is none is refused with the word and what would be right
     says("request-doubled=1%", "motor");
     says("request-noise=1%", "motor");
     says("request-echo=1%", "say echo");
+    says("late=1%,lost@5,late=2%", "'late=1%' says that already");
+    says("lost@5x3,lost@7", "'lost@5x3' says that already");
+    says("lost@7,lost@5x3", "'lost@7' says that already");
+    CHECK(why("lost=1%,lost@5,lost@7x2,lost@9,request-lost=1%,request-lost@5").empty());
     CHECK(why("late=0.0001%,lost@250x5,request-delay=5%@3:30ms,babble=100%:2s").empty());
 }

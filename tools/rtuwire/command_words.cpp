@@ -3,7 +3,9 @@
 #include "command_words.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <limits>
 
 #include <CLI/CLI.hpp>
 
@@ -338,6 +340,8 @@ void add_device(CLI::App& app, choices& chosen)
     add_to_footer(device, register_file_text());
 }
 
+CLI::Range any_seed() { return {0U, std::numeric_limits<std::uint32_t>::max()}; }
+
 void add_check(CLI::App& app, choices& chosen)
 {
     CLI::App& check =
@@ -359,6 +363,7 @@ void add_check(CLI::App& app, choices& chosen)
     check.add_option("--hostile", chosen.check.hostile, "seconds of random frames and noise, none of which writes")
         ->check(CLI::Range(1, 86'400));
     check.add_option("--seed", chosen.check.seed, "the same number sends the same random frames")
+        ->check(any_seed())
         ->capture_default_str();
     check.add_option("--profile", chosen.check.profile,
                      "a file: functions that the device is said to have, deviations that are known");
@@ -400,9 +405,12 @@ void add_chaos(CLI::App& app, choices& chosen)
             "what is played, and how often or at which frame: late=1%,lost@250x5,delay=5%:30ms")
         ->allow_extra_args(false);
     chaos.add_option("--seed", chosen.chaos.seed, "the same number and the same bytes make the same decisions")
+        ->check(any_seed())
         ->capture_default_str();
     chaos.add_flag("--dry", chosen.chaos.is_dry, "show what each fault would meet, and open nothing");
-    chaos.add_option("-o,--output", chosen.file, "a file for Wireshark that says of each frame what was done to it");
+    chaos
+        .add_option("-o,--output", chosen.file, "a new file for Wireshark that says of each frame what was done to it")
+        ->check([](std::string const& typed) { return typed.empty() ? "a file has a name" : std::string{}; });
     add_time_limit(chaos, chosen);
     add_to_footer(chaos, "--timeout is the client's, 1 s where it is not said. Each of these may happen to an answer, "
                          "the echo to its request:\n" +
@@ -410,7 +418,8 @@ void add_chaos(CLI::App& app, choices& chosen)
                              "and to a request, as request-lost and so on: delay, lost, damaged, lumps, split, cut.\n"
                              "=1% of the frames, @250 the frame with this number, @250x5 five from it on, :30ms the "
                              "time.\n"
-                             "For benches: who asks again gives a command again, and a late stop stops late.");
+                             "For benches: who asks again gives a command again, and a late stop stops late.\n"
+                             "Exit status: 0 where requests came, also by Ctrl-C; 3 where none did.");
 }
 
 /// What the program says of itself.

@@ -195,6 +195,18 @@ random_source source_of(line_fault const& fault, std::uint32_t seed, std::uint32
     return random_source{mixed};
 }
 
+/// Both meet the same frames, of which the second does nothing.
+bool says_again(line_fault const& one, line_fault const& other)
+{
+    auto const begins_in = [](line_fault const& it, line_fault const& span) {
+        return it.first >= span.first and it.first - span.first < span.count;
+    };
+    bool const is_moment = one.first != 0 and other.first != 0;
+    return one.kind == other.kind and one.way == other.way and
+           ((one.in_a_million > 0 and other.in_a_million > 0) or
+            (is_moment and (begins_in(one, other) or begins_in(other, one))));
+}
+
 bool happens(line_fault const& fault, std::uint32_t rate, random_source random)
 {
     fault_row const& row = row_of(fault.kind);
@@ -218,7 +230,13 @@ std::vector<line_fault> faults_in(std::string_view words)
 {
     std::vector<line_fault> all;
     for (std::string_view const each : parts_of(words)) {
-        all.push_back(fault_in(each));
+        line_fault const fault = fault_in(each);
+        for (line_fault const& before : all) {
+            if (says_again(before, fault)) {
+                refuse(each, "'" + before.typed + "' says that already; a fault has one rate, and moments of its own");
+            }
+        }
+        all.push_back(fault);
     }
     return all;
 }

@@ -136,7 +136,7 @@ public:
     {
         plan_.silence = std::max(from_.silence(), to_.silence());
         if (not chosen.file.empty()) {
-            file_ = std::make_unique<capture_output>(chosen.file,
+            file_ = std::make_unique<capture_output>(chosen.file, new_capture_file("-o", chosen.file),
                                                      rtuwire::capture_options{.bits_per_second = chosen.line.baud},
                                                      from_.device() + " - " + to_.device(), calendar_);
         }

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <utility>
 
+#include <fcntl.h>
+
 #include <rtuwire/port.hpp>
 
 #include "capture/commented_block.hpp"
@@ -55,6 +57,17 @@ void capture_output::write(rtuwire::byte_view bytes)
 }
 
 void capture_output::fail() const { throw ended{exit_status::port, name_ + ": " + std::strerror(errno)}; }
+
+capture_output::stream new_capture_file(std::string const& option, std::string const& name)
+{
+    int const descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NONBLOCK | O_CLOEXEC, 0666);
+    capture_output::stream file{descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb"), &std::fclose};
+    if (not file) {
+        throw ended{exit_status::port,
+                    option + ' ' + name + ": " + (errno == EEXIST ? "is there already" : std::strerror(errno))};
+    }
+    return file;
+}
 
 rtuwire::capture_form capture_form_in(std::string const& word)
 {

@@ -49,6 +49,9 @@ private:
     bool is_open_{true};
 };
 
+/// A new file. Ends where there is one of this name, which stays as it is; `option` says it in a message: "--trace".
+capture_output::stream new_capture_file(std::string const& option, std::string const& name);
+
 /// "udp", "user0", "rtac", "upper-pdu".
 rtuwire::capture_form capture_form_in(std::string const& word);
 

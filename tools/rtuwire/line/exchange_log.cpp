@@ -14,7 +14,6 @@
 #include <string_view>
 #include <utility>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include "exit_status.hpp"
@@ -44,12 +43,7 @@ public:
 
     void open(std::string const& name)
     {
-        int const descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NONBLOCK | O_CLOEXEC, 0666);
-        file_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb"));
-        if (not file_) {
-            throw ended{exit_status::port,
-                        "--trace " + name + ": " + (errno == EEXIST ? "is there already" : std::strerror(errno))};
-        }
+        file_ = new_capture_file("--trace", name);
         name_ = name;
     }
 
