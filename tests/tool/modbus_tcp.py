@@ -229,15 +229,19 @@ def other_protocol(check, tool):
             lambda it: [with_crc(bytes([1, 0x83, 2]))], PORT, "01 83 02 C0 F1", "tcp://127.0.0.1")
     answers(check, tool, "silence where Modbus TCP was sent", lambda it: [], NO_ANSWER, f"tcp://127.0.0.1")
     answers(check, tool, "silence where RTU frames were sent", lambda it: [], NO_ANSWER, "mbap://127.0.0.1", word="tcp")
-    with socket.create_server(("127.0.0.1", 0)) as listening:
-        def hang_up():
-            line, _ = listening.accept()
-            line.recv(8)
-            line.close()
-        threading.Thread(target=hang_up, daemon=True).start()
-        number = listening.getsockname()[1]
-        ended = tool.run(*PATIENT, "--no-listen", "read", "100", port=f"tcp://127.0.0.1:{number}")
-        check(ended.status == PORT and f"mbap://127.0.0.1:{number}" in ended.errors, "an end where RTU frames were sent", ended)
+    for words in (["read", "100"], ["read", "RFR"], ["identify"]):
+        for sent, other, frames in (("tcp", "mbap", "RTU frames with a CRC were sent"), ("mbap", "tcp", "Modbus TCP was sent")):
+            with socket.create_server(("127.0.0.1", 0)) as listening:
+                def hang_up():
+                    line, _ = listening.accept()
+                    line.recv(64)
+                    line.close()
+                threading.Thread(target=hang_up, daemon=True).start()
+                number = listening.getsockname()[1]
+                ended = tool.run(*PATIENT, "--no-listen", *words, port=f"{sent}://127.0.0.1:{number}")
+            told = ended.output + ended.errors
+            check(ended.status == PORT and f"{other}://127.0.0.1:{number}" in told and frames in told,
+                  f"{words}: an end where {sent}:// was spoken", ended)
     ended = tool.run("read", "100", port=f"mbap://127.0.0.1:{free_port()}")
     check(ended.status == PORT and "Connection refused" in ended.errors, "nobody listens", ended)
     ended = tool.run("read", "100", port="mbap://no-such-host.invalid")
@@ -290,6 +294,32 @@ class Gateway:
         self.process.wait()
 
 
+def ends_half_way(check, tool, gateway):
+    """A real drive, which refuses function 43: the line ends, or falls silent, behind so many answers."""
+    for count in range(5):
+        for how in ("cut", "silent"):
+            for words in (["identify"], ["read", "RFR"], ["scan", "--units", "4"]):
+                what = f"{words[0]}, {how} behind {count} answers"
+                with socket.create_connection(("127.0.0.1", gateway.number)) as drive, Server(None) as server:
+                    def said(request):
+                        if len(server.requests) > count:
+                            return [None] if how == "cut" else []
+                        drive.sendall(request.data)
+                        return [drive.recv(512)]
+                    server.said = said
+                    asks = ONCE if how == "silent" else PATIENT
+                    ended = tool.run(*words, *asks, port=server.name) if words[0] == "scan" else \
+                        tool.run(*asks, "-u", 4, *words, port=server.name)
+                told = ended.output + ended.errors
+                check("those of no drive" not in told, f"{what}: nothing is said of what was not read", ended)
+                if how == "cut":
+                    check(ended.status == PORT and "closed by the other end" in told, f"{what}: the port's failure", ended)
+                elif words[0] != "scan":
+                    check(ended.status == NO_ANSWER and "no response" in told, f"{what}: no answer", ended)
+                elif count > 1:
+                    check("no response" in ended.output, f"{what}: the row says so", ended)
+
+
 class Between:
     """A connection that can be cut, or fall silent, between a client and a server."""
 
@@ -331,7 +361,7 @@ class Between:
 def reads_drives(check, tool, gateway):
     ended = tool.run("--json", "scan", "--units", "1-12", port=gateway.name)
     found = {each["unit"]: each["drive"] for each in ended.objects()}
-    check(ended.status == DONE and found == {3: "atv12", 7: "atv320"}, "a scan finds the drives, and nobody else", ended)
+    check(ended.status == DONE and found == {3: "atv12", 4: "atv28", 7: "atv320"}, "a scan finds the drives, and nobody else", ended)
     ended = tool.run("-u", 5, "read", "3201", port=gateway.name)
     check(ended.status == DIFFERS and "gateway" in ended.errors + ended.output, "a unit that is not there is one of a gateway", ended)
     ended = tool.run("-u", 5, "identify", port=gateway.name)
@@ -405,8 +435,8 @@ def shares_its_port(check, tool, gateway):
 
 
 def drives(check, program):
-    with Tool(program) as tool, Gateway(tool.program, "atv320:7", "atv12:3") as gateway:
-        for part in (reads_drives, shares_its_port, runs_a_motor):
+    with Tool(program) as tool, Gateway(tool.program, "atv320:7", "atv12:3", "atv28:4") as gateway:
+        for part in (reads_drives, ends_half_way, shares_its_port, runs_a_motor):
             part(check, tool, gateway)
 
 

@@ -18,7 +18,8 @@ exit_status run_identify(choices const& chosen)
     bool const may_be_sunspec = who.drive.empty() and (who.outcome == exit_status::done or who.has_answered);
     sunspec_models const found = may_be_sunspec ? sunspec_models_of(line, asked.unit) : sunspec_models{};
     std::string const models = text_of(found);
-    std::string const note = models.empty() ? who.note : models;
+    bool const has_failed = found.outcome == exit_status::port;
+    std::string const note = not models.empty() ? models : has_failed ? found.failure : who.note;
     output results{chosen.form, false};
     results.put({{"unit", std::int64_t{asked.unit.byte()}},
                  {"vendor", who.vendor},
@@ -27,8 +28,9 @@ exit_status run_identify(choices const& chosen)
                  {"drive", who.drive},
                  {"note", note + (note.empty() or shared.empty() ? "" : "; ") + shared}});
     results.finish();
-    bool const is_known = not who.product.empty() or not who.drive.empty() or not models.empty();
-    if (shared.empty() and found.mark and found.outcome != exit_status::done) {
+    bool const was_lost = who.outcome == exit_status::port or who.outcome == exit_status::no_answer;
+    bool const is_known = (not who.product.empty() and not was_lost) or not who.drive.empty() or not models.empty();
+    if (has_failed or (shared.empty() and found.mark and found.outcome != exit_status::done)) {
         return found.outcome;
     }
     return not shared.empty() ? exit_status::differs : is_known ? exit_status::done : who.outcome;

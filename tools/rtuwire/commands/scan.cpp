@@ -304,6 +304,9 @@ private:
         identity_words who = who_is_it(line, unit);
         who.note = with_shared(line, unit, who.note);
         note(how, unit, who);
+        if (who.outcome == exit_status::port) {
+            throw ended{exit_status::port, line.port().failure()};
+        }
         leave(line, how, unit, who.drive);
     }
 

@@ -139,6 +139,9 @@ void open_line::note(rtuwire::errc outcome, std::chrono::duration<double, std::m
 std::string open_line::words_of_failure(rtuwire::errc why) const
 {
     using rtuwire::errc;
+    if (status_of(why) == exit_status::port) {
+        return port_.failure();
+    }
     std::string text = words_of(why);
     if (why == errc::line_echo) {
         return text + " (say --echo, or switch the adapter's receiver off while it sends)";

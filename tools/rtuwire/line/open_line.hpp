@@ -87,7 +87,7 @@ public:
 
     /// Why the last request failed, with the frame that was refused: "right CRC, wrong length: the unit departs from the
     /// function's format: 6 bytes came, 5 are due: 01 83 02 00 F1 50"; as far as the bytes tell, with the cause and its
-    /// remedy.
+    /// remedy. Where the port has failed, its own words.
     std::string words_of_failure(rtuwire::errc why) const;
     /// That frame; empty where there is none.
     rtuwire::byte_view refused() const;

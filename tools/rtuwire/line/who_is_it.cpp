@@ -89,8 +89,29 @@ errc read_one(open_line& line, unit_address unit, std::uint16_t address)
     return line.ask(unit, rtuwire::read_holding_registers{.start = address, .count = 1}).error();
 }
 
-/// Drops those whose own registers the unit does not have.
-void tell_apart(open_line& line, unit_address unit, candidates& left)
+/// A read that leaves open which drive a unit is.
+struct open_read {
+    exit_status outcome;
+    std::string why; ///< "127.0.0.1:502: the connection is gone", "reading register 3201 ends with no response in time"
+};
+
+open_read open_read_of(open_line const& line, std::uint16_t address, errc outcome)
+{
+    exit_status const status = status_of(outcome);
+    std::string const why = line.words_of_failure(outcome);
+    return {status,
+            (status == exit_status::port ? "" : "reading register " + std::to_string(address) + " ends with ") + why};
+}
+
+void leave_open(open_read const& at, std::string const& so_far, identity_words& who)
+{
+    who.outcome = at.outcome;
+    who.has_answered = at.outcome != exit_status::port;
+    who.note = (who.has_answered ? so_far + "which drive it is stays open, because " : std::string{}) + at.why;
+}
+
+/// Drops those whose own registers the unit does not have. Returns the read that did not tell, if one did not.
+std::optional<open_read> tell_apart(open_line& line, unit_address unit, candidates& left)
 {
     for (std::size_t i = 0; left.size() > 1 and i < left.size();) {
         drive_catalog const& other = *left[i == 0 ? 1 : 0];
@@ -105,9 +126,10 @@ void tell_apart(open_line& line, unit_address unit, candidates& left)
         } else if (outcome == errc::illegal_data_address) {
             left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
         } else {
-            return;
+            return open_read_of(line, *address, outcome);
         }
     }
+    return std::nullopt;
 }
 
 /// Those of the family that the product's code begins with.
@@ -149,6 +171,9 @@ public:
     /// Whether anything but silence was heard.
     bool is_there() const { return is_there_; }
 
+    /// The read at which the port failed, else the first that nobody answered.
+    std::optional<open_read> const& open() const { return open_; }
+
     /// Whether the unit has a register: `none` where it has, an exception that says so where it has not, and otherwise what
     /// leaves that open. Nobody asks a silent unit twice.
     errc outcome_at(std::uint16_t address)
@@ -158,11 +183,16 @@ public:
             return known->second;
         }
         if (is_silent_) {
-            return errc::timed_out;
+            return silence_;
         }
         errc const outcome = read_one(line_, unit_, address);
         is_there_ = is_there_ or outcome == errc::none or is_refusal_of_unit(outcome);
-        is_silent_ = not is_there_;
+        exit_status const status = status_of(outcome);
+        is_silent_ = not is_there_ or status == exit_status::port;
+        silence_ = status == exit_status::port ? outcome : silence_;
+        if (status == exit_status::port or (status == exit_status::no_answer and not open_)) {
+            open_ = open_read_of(line_, address, outcome);
+        }
         outcomes_.emplace(address, outcome);
         return outcome;
     }
@@ -178,6 +208,8 @@ private:
     unit_address unit_;
     std::map<std::uint16_t, errc> outcomes_{};
     bool is_there_{false};
+    std::optional<open_read> open_{};
+    errc silence_{errc::timed_out}; ///< or how the port has failed
     bool is_silent_{false};
 };
 
@@ -248,6 +280,9 @@ void recognise_by_registers(open_line& line, unit_address unit, errc outcome, id
     }
     if (found.size() == 1) {
         who.drive = std::string{found.front()->name};
+    } else if (marks.open() and
+               (marks.open()->outcome == exit_status::port or is_refusal_of_unit(outcome) or marks.is_there())) {
+        leave_open(*marks.open(), "answers, but does not say who it is (" + why + "), and ", who);
     } else if (is_refusal_of_unit(outcome) or marks.is_there()) {
         who.note = "answers, but does not say who it is (" + why +
                    "), and its registers are those of no drive of this program, or of several";
@@ -291,14 +326,16 @@ identity_words who_is_it(open_line& line, unit_address unit)
     identity_words who;
     errc const outcome = read_identity(line, unit, who);
     if (status_of(outcome) == exit_status::port) {
-        who.note = words_of(outcome);
+        who.note = line.words_of_failure(outcome);
         who.outcome = exit_status::port;
     } else if (outcome != errc::none) {
         recognise_by_registers(line, unit, outcome, who);
     } else {
         candidates left = of_family(who.product);
         who.is_another = left.empty();
-        tell_apart(line, unit, left);
+        if (auto const open = tell_apart(line, unit, left)) {
+            leave_open(*open, "", who);
+        }
         who.drive = left.size() == 1 ? std::string{left.front()->name} : std::string{};
         who.may_be_drive = not left.empty() or calls_itself_drive(who);
     }
@@ -376,7 +413,7 @@ drive_catalog const& catalog_of(identity_words const& who, unit_address unit)
     }
     std::string const number = "unit " + std::to_string(unit.byte());
     std::string const say_drive = who.may_be_drive ? "; say --drive" : "; say --drive, which may be none";
-    if (who.product.empty() and not who.note.empty()) {
+    if (not who.note.empty() and (who.product.empty() or who.outcome != exit_status::done)) {
         throw ended{who.outcome, number + ": " + who.note + (who.has_answered ? say_drive : "")};
     }
     throw ended{exit_status::differs,

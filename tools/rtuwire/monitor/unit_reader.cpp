@@ -155,7 +155,7 @@ bool unit_reader::identify(open_line& line)
     if (who.drive.empty() and who.outcome == exit_status::port) {
         throw ended{exit_status::port, line.port().failure()};
     }
-    if (who.drive.empty() and who.outcome == exit_status::no_answer) {
+    if (who.drive.empty() and who.outcome == exit_status::no_answer and not who.has_answered) {
         return false;
     }
     std::string const unclear = who.drive.empty() and not who.is_another ? leave_out_menu_numbers() : std::string{};
