@@ -21,9 +21,7 @@ std::string time_in_words(std::chrono::seconds time)
     return text(seconds / 3'600, " h ") + text(seconds / 60 % 60, " min");
 }
 
-progress::progress(std::size_t steps)
-    : steps_{steps}, is_terminal_{::isatty(STDERR_FILENO) == 1}
-{}
+progress::progress(std::size_t steps) : steps_{steps}, is_terminal_{::isatty(STDERR_FILENO) == 1} {}
 
 progress::~progress() { clear(); }
 
