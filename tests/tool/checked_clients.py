@@ -210,6 +210,8 @@ def check_programs(tool, check):
         return tool.run("--timeout", TIMEOUT, "--json", "check", "--client", "--only", only, "--junit", tool.place / junit, "--",
                         *command)
 
+    said = tool.run("-v", "--timeout", TIMEOUT, "check", "--only", "K01", "--client", "--", *PROGRAM, "Client")
+    check(said.status == DONE and "01 03 00 64 00 02 85 D4" in said.errors, "its frames are shown where that is asked for", said)
     python = [sys.executable, "-c"]
     said = checked_by(*python, ASKS_8E1)
     check(said.status == DONE, "a client may ask for 8E1", said)

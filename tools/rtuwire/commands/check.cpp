@@ -254,7 +254,8 @@ exit_status check_client(choices const& chosen)
     if (port.is_device() and how.client_port.empty() and not chosen.words.empty()) {
         refuse_word("--port " + chosen.line.port + ": which port does the client open? say --client-port /dev/ttyUSB1");
     }
-    exchange_log log = exchange_log::of(chosen.line, setting, any_port{});
+    any_port const no_port; // whose frames are shown as they are
+    exchange_log log = exchange_log::of(chosen.line, setting, no_port);
     checked_client client{
         port,
         log,
