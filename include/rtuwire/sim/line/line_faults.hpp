@@ -70,7 +70,7 @@ template <typename Flip> constexpr void disturb_bits(std::size_t bits, random_so
     std::uint32_t const pattern = random.next() | 1U;
     for (std::uint32_t i = 0; i <= random.below(longest); ++i) {
         if (((pattern >> i) & 1U) != 0) {
-            flip(std::size_t{first} + i);
+            flip(static_cast<std::size_t>(first) + i);
         }
     }
 }
