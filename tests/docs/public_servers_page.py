@@ -16,13 +16,13 @@ from public_servers import KINDS, of_page  # noqa: E402
 
 CLAUSE = re.compile(r'^    \{"([A-Z]\d+(?:\.\d+)?)", ', re.MULTILINE)
 TABLES = ("clause_table.cpp", "client_table.cpp")  # of tools/rtuwire/check
-HEADING = {"server": "##", "client": "###"}
+HEADING = {"server": "## ", "client": "### Client of "}
 NONE = ["none"]
 
 
 def causes_of(text, kind, name):
     """The clauses in the first column of a server's or a client's own table."""
-    _, heading, section = text.partition(f"\n{HEADING[kind]} {name}\n")
+    _, heading, section = text.partition(f"\n{HEADING[kind]}{name}\n")
     rows = re.findall(r"^\| ([A-Z]\d[^|]*) \|", re.split(r"\n##+ ", section)[0], re.MULTILINE)
     return heading, [clause for row in rows for clause in row.split()]
 

@@ -22,7 +22,7 @@ def page(causes, failing="L34 X01", of_client="K12"):
     clients = table("client", ("a 1", "3 of 3", "0 of 1", "none", "K12"))
     return "\n".join(["# Page", "", *servers, "## a 1", "", "| clauses | what |", "| --- | --- |",
                       *[f"| {each} | text |" for each in causes], "", "## b", "", "Nothing.", "", "## Clients", "", *clients,
-                      "### a 1", "", "| clauses | what |", "| --- | --- |", f"| {of_client} | text |", ""])
+                      "### Client of a 1", "", "| clauses | what |", "| --- | --- |", f"| {of_client} | text |", ""])
 
 
 class Page(unittest.TestCase):
