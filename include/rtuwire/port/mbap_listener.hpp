@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -160,7 +161,7 @@ private:
         }
         instant const begin = now();
         auto const left = reached(begin, until) ? 0 : static_cast<int>((until - begin).microseconds / 1'000U + 1U);
-        int const ready = ::poll(watched.data(), static_cast<nfds_t>(watched.size()), left);
+        int const ready = ::poll(watched.data(), static_cast<nfds_t>(std::ssize(watched)), left);
         if (ready <= 0) {
             return ready < 0 and errno == EINTR;
         }
