@@ -163,8 +163,8 @@ def run_checked(check, place, board, tool):
         with held_open(device):
             firmware.wait_for("^ready")
             ended = subprocess.run(
-                [tool, "--port", device, "--unit", "1", "--no-listen", "--timeout", "0.3", "--json", "check", "--readable", "10"],
-                env={**os.environ, "HOME": place}, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=200)
+                [tool, "--port", device, "--unit", "1", "--no-listen", "--json", "check", "--readable", "10"],
+                env={**os.environ, "HOME": place}, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=500)
     rows = [json.loads(line) for line in ended.stdout.splitlines()]
     fails = [(row["clause"], row["why"]) for row in rows if row["verdict"] == "fails" and row["level"] == "must"]
     holds = sum(row["verdict"] == "holds" for row in rows)
