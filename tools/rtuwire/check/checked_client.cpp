@@ -9,6 +9,7 @@
 
 #include "frame/hex_text.hpp"
 #include "line/end_wish.hpp"
+#include "words/words.hpp"
 
 namespace tool {
 
@@ -21,17 +22,6 @@ constexpr line_time start_time{10'000'000};
 constexpr line_time wait_for_request{30'000'000}; ///< of a client that asks by itself
 constexpr line_time turnaround{50'000};
 constexpr unsigned most_tries = 3;
-
-std::vector<std::string> parts_of(std::string_view text, std::string_view between)
-{
-    std::vector<std::string> parts;
-    for (std::size_t from = 0; from <= text.size();) {
-        std::size_t const at = std::min(text.find(between, from), text.size());
-        parts.emplace_back(text.substr(from, at - from));
-        from = at + between.size();
-    }
-    return parts;
-}
 
 std::vector<std::string> words_of(std::string_view text)
 {
@@ -152,7 +142,7 @@ std::string plain_words(std::string const& word, line_bytes const& asked, line_t
 std::vector<told_request> requests_told(std::string_view text, std::uint8_t unit)
 {
     std::vector<told_request> all;
-    for (std::string const& each : parts_of(text, " / ")) {
+    for (std::string_view const each : parts_of(text, " / ")) {
         std::vector<std::string> const words = words_of(each);
         all.push_back({words[0] == "write", static_cast<std::uint8_t>(words[1] == "U" ? unit : std::stoul(words[1])),
                        static_cast<std::uint16_t>(std::stoul(words[2])),
@@ -347,7 +337,7 @@ std::string checked_client::answer_to(client_request const& request, std::string
         return {};
     }
     std::size_t const times = count_of(run, request.which);
-    std::vector<std::string> const turns = parts_of(parts_of(answered, " / ")[request.which], " then ");
+    std::vector<std::string_view> const turns = parts_of(parts_of(answered, " / ")[request.which], " then ");
     std::string_view text = turns[std::min(times, turns.size()) - 1];
     if (text.starts_with("LAST ")) {
         text = times < times_sent() ? std::string_view{"-"} : text.substr(5);
@@ -433,7 +423,7 @@ judgement checked_client::without_result(client_run const& run)
 
 judgement checked_client::judged_results(clause const& which, client_run const& run)
 {
-    std::vector<std::string> const due = parts_of(results_in(which), " / ");
+    std::vector<std::string_view> const due = parts_of(results_in(which), " / ");
     judgement const cut = without_result(run);
     for (std::size_t i = 0; i < due.size(); ++i) {
         client_result const result = result_of(run, i);
@@ -530,14 +520,14 @@ judgement checked_client::judged_by_command(clause const& which)
     }
     judgement found;
     std::string_view const rule = rule_in(which);
-    for (std::string const& answered : parts_of(which.comes, " | ")) {
+    for (std::string_view const answered : parts_of(which.comes, " | ")) {
         client_run const& run = known_run(which.sends, answered);
         hangs_ = hangs_ or (which.id == "K11" and not run.has_ended);
         found = rule == "ends" and not run.has_ended ? judged_requests(rule, run) : judged_results(which, run);
         found = found.how == verdict::holds and not rule.empty() ? judged_requests(rule, run) : found;
         found.passed = run.passed;
         if (found.how != verdict::holds) {
-            found.why += which.comes.find(" | ") == which.comes.npos ? "" : "; answered was " + answered;
+            found.why += which.comes.find(" | ") == which.comes.npos ? "" : "; answered was " + std::string{answered};
             return found;
         }
     }
@@ -553,7 +543,7 @@ judgement checked_client::judged_by_line(clause const& which)
         return client_not_tried("without the client's command (behind --) only its requests are seen");
     }
     // One that is answered well, the one of the clause, and what comes behind.
-    std::string const first = parts_of(which.comes, " / ").front();
+    std::string_view const first = parts_of(which.comes, " / ").front();
     std::size_t const wanted = rule == "waits t3.5" ? 6 : 3;
     client_run run;
     begin();
@@ -565,7 +555,7 @@ judgement checked_client::judged_by_line(clause const& which)
             return std::string{};
         }
         run.requests.back().which = 0;
-        std::string const text = run.requests.size() == 2 ? first : "GOOD";
+        std::string_view const text = run.requests.size() == 2 ? first : "GOOD";
         std::string words;
         for (std::string const& each : text == "-" ? std::vector<std::string>{} : words_of(text)) {
             words += plain_words(each, request.frame, call_.timeout) + " ";
@@ -606,8 +596,8 @@ judgement checked_client::judged(clause const& which)
     std::string const first = found.why;
     for (unsigned turn = 1; is_timed and turn < most_tries and found.how == verdict::fails and noted_signal() == 0;
          ++turn) {
-        for (std::string const& answered : parts_of(which.comes, " | ")) {
-            known_.erase(std::string{which.sends} + '\n' + answered);
+        for (std::string_view const answered : parts_of(which.comes, " | ")) {
+            known_.erase(std::string{which.sends} + '\n' + std::string{answered});
         }
         found = judged_by_command(which);
     }

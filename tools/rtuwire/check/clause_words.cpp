@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "frame/hex_text.hpp"
+#include "words/words.hpp"
 
 namespace tool {
 
@@ -30,17 +31,6 @@ std::vector<std::string_view> words_in(std::string_view text)
         }
     }
     return words;
-}
-
-std::vector<std::string_view> split(std::string_view text, std::string_view between)
-{
-    std::vector<std::string_view> parts;
-    for (std::size_t from = 0; from <= text.size();) {
-        std::size_t const at = std::min(text.find(between, from), text.size());
-        parts.push_back(text.substr(from, at - from));
-        from = at + between.size();
-    }
-    return parts;
 }
 
 bool is_hex_byte(std::string_view word)
@@ -347,7 +337,7 @@ bool means_exception(std::string_view words, line_bytes const& came, known_place
 
 } // namespace
 
-std::vector<std::string_view> steps_of(std::string_view text) { return split(text, " / "); }
+std::vector<std::string_view> steps_of(std::string_view text) { return parts_of(text, " / "); }
 
 line_bytes crc_of(byte_view bytes)
 {
@@ -411,7 +401,7 @@ bool is_allowed(std::string_view answers, line_bytes const& came, line_bytes con
                 known_places const& where)
 {
     held_answer answer{came, asked, where};
-    std::vector<std::string_view> const all = split(answers, " or ");
+    std::vector<std::string_view> const all = parts_of(answers, " or ");
     return std::ranges::any_of(all, [&](std::string_view each) {
         return each == "-"                            ? came.empty()
                : each == "any"                        ? true

@@ -17,6 +17,7 @@
 #include "device/register_file.hpp"
 #include "exit_status.hpp"
 #include "words/suggestion.hpp"
+#include "words/words.hpp"
 
 namespace tool {
 
@@ -50,17 +51,6 @@ rtuwire::unit_id address_in(std::string_view word, std::string const& of)
                     (is_any_unit ? "; read, watch and identify take 0 and 248 to 255 with --any-unit" : ""));
     }
     return *unit;
-}
-
-std::vector<std::string_view> parts_of(std::string_view text, char between)
-{
-    std::vector<std::string_view> parts;
-    for (std::size_t end = 0; end != std::string_view::npos;) {
-        end = text.find(between);
-        parts.push_back(text.substr(0, end));
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    }
-    return parts;
 }
 
 /// "fan=7:atv320", "fan=7".
@@ -126,8 +116,8 @@ std::uint32_t baud_in(unsigned number)
 std::vector<std::uint8_t> units_in(std::string const& word)
 {
     std::set<std::uint8_t> units;
-    for (std::string_view const part : parts_of(word, ',')) {
-        auto const ends = parts_of(part, '-');
+    for (std::string_view const part : parts_of(word, ",")) {
+        auto const ends = parts_of(part, "-");
         bool const is_range = ends.size() <= 2 and std::ranges::none_of(ends, &std::string_view::empty);
         unsigned const first = is_range ? address_in(ends[0], word).byte() : 1;
         unsigned const last = is_range ? address_in(ends.back(), word).byte() : 0;

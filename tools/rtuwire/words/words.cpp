@@ -39,16 +39,16 @@ bool is_same_word(std::string_view left, std::string_view right) noexcept
            std::equal(left.begin(), left.end(), right.begin(), [](char a, char b) { return lower(a) == lower(b); });
 }
 
-std::vector<std::string_view> parts_of(std::string_view word)
+std::vector<std::string_view> parts_of(std::string_view text, std::string_view between)
 {
     std::vector<std::string_view> parts;
     while (true) {
-        std::size_t const comma = word.find(',');
-        parts.push_back(word.substr(0, comma));
-        if (comma == word.npos) {
+        std::size_t const end = text.find(between);
+        parts.push_back(text.substr(0, end));
+        if (end == text.npos) {
             return parts;
         }
-        word.remove_prefix(comma + 1);
+        text.remove_prefix(end + between.size());
     }
 }
 

@@ -31,8 +31,8 @@ struct refusal {
 /// Whether two words are the same but for upper and lower case (of ASCII).
 [[nodiscard]] bool is_same_word(std::string_view left, std::string_view right) noexcept;
 
-/// The parts of a word between its commas, which may be empty.
-[[nodiscard]] std::vector<std::string_view> parts_of(std::string_view word);
+/// The parts of a text, views of it that may be empty; a text without `between` is one.
+[[nodiscard]] std::vector<std::string_view> parts_of(std::string_view text, std::string_view between = ",");
 
 /// Whether a text holds another, without regard to case.
 [[nodiscard]] bool holds_word(std::string_view text, std::string_view word);
