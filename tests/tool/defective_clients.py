@@ -11,22 +11,12 @@ import sys
 import time
 import tty
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "interop"))
+from frames import crc, with_crc  # noqa: E402
+
 T35 = 0.0021  # s, at 19200 bit/s
 STALE = 0.04  # s of silence that end what is no answer
 BROADCAST = 0
-
-
-def crc(data):
-    remainder = 0xFFFF
-    for byte in data:
-        remainder ^= byte
-        for _ in range(8):
-            remainder = remainder >> 1 ^ (0xA001 if remainder & 1 else 0)
-    return remainder
-
-
-def with_crc(data):
-    return data + crc(data).to_bytes(2, "little")
 
 
 class Failed(Exception):
