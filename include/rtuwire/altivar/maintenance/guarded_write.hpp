@@ -141,7 +141,8 @@ enum class write_care : std::uint8_t {
 /// | anything | no response       | end: silent                      |
 /// |          | refused otherwise | end: refused                     |
 ///
-/// ETA is read with its neighbour: see `procedure::look`. A command of 0006 moves nothing either, but it is somebody's: a drive that another master holds ready is not restored.
+/// ETA is read with its neighbour: see `procedure::look`. A command of 0006 moves nothing either, but it is somebody's: a drive
+/// that another master holds ready is not restored.
 class write_guard : public procedure {
 public:
     constexpr write_guard(drive_layout const& layout, terminal_options const& options) noexcept
