@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// libcsv reads the text; one byte at a time, so that each field has its place.
+// As RFC 4180 has it: what stands in quotes may have line ends and separators in it, and a quote twice is one. Spaces around
+// a field are none of it.
 #include <algorithm>
 #include <array>
-#include <memory>
-
-#include <csv.h>
 
 #include "backup/saved_text.hpp"
 
@@ -28,21 +26,23 @@ char separator_of(std::string_view line)
     return separators[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
 }
 
-/// Makes rows of the fields that the parser tells.
+/// Makes rows of fields, each with its place.
 class table_reader {
 public:
-    table_reader(std::string_view text, saved_text& found) : text_{text}, places_{text}, found_{found} {}
+    table_reader(std::string_view text, saved_text& found) : text_{text}, places_{text}, found_{found}
+    {
+        separator_ = separator_of(text.substr(0, text.find_first_of("\r\n")));
+    }
 
     void read()
     {
-        csv_set_delim(&parser_, static_cast<unsigned char>(separator_of(text_.substr(0, text_.find_first_of("\r\n")))));
-        for (at_ = 0; at_ < text_.size() and not found_.fault; ++at_) {
-            if (csv_parse(&parser_, &text_[at_], 1, on_field, on_row, this) != 1) {
-                fail(at_);
+        for (skip(" \t\r\n"); not has_ended(); skip(" \t\r\n")) {
+            take_field();
+            while (not has_ended() and text_[at_] == separator_) {
+                ++at_;
+                take_field();
             }
-        }
-        if (not found_.fault and csv_fini(&parser_, on_field, on_row, this) != 0) {
-            fail(begin_);
+            end_row();
         }
         if (not found_.fault and names_.empty()) {
             refuse({}, "there is nothing in it");
@@ -50,28 +50,73 @@ public:
     }
 
 private:
-    struct parser : csv_parser {
-        parser() { csv_init(this, CSV_STRICT | CSV_STRICT_FINI); }
-        parser(parser const&) = delete;
-        parser& operator=(parser const&) = delete;
-        ~parser() { csv_free(this); }
-    };
+    [[nodiscard]] bool has_ended() const { return at_ == text_.size() or found_.fault; }
 
-    static void on_field(void* data, std::size_t size, void* self)
+    /// Passes these, but never what separates fields.
+    void skip(std::string_view these)
     {
-        static_cast<table_reader*>(self)->take({static_cast<char const*>(data), data == nullptr ? 0 : size});
-    }
-    static void on_row(int, void* self) { static_cast<table_reader*>(self)->end_row(); }
-
-    void take(std::string_view text)
-    {
-        // Line ends before a row are none of its first field.
-        while (row_.empty() and begin_ < at_ and (text_[begin_] == '\r' or text_[begin_] == '\n')) {
-            ++begin_;
+        while (at_ < text_.size() and text_[at_] != separator_ and these.find(text_[at_]) != these.npos) {
+            ++at_;
         }
-        row_.push_back({std::string{text}, places_.of(begin_)});
-        begin_ = at_ + 1;
     }
+
+    void take_field()
+    {
+        std::size_t const begin = at_;
+        skip(" \t");
+        std::string field = at_ < text_.size() and text_[at_] == '"' ? quoted(begin) : bare();
+        if (not found_.fault) {
+            row_.push_back({std::move(field), places_.of(begin)});
+        }
+    }
+
+    /// Up to a separator or the end of the line.
+    std::string bare()
+    {
+        std::size_t const begin = at_;
+        while (not is_at_end_of_field() and text_[at_] != '"') {
+            ++at_;
+        }
+        expect_end_of_field();
+        std::string_view const field = text_.substr(begin, at_ - begin);
+        return std::string{field.substr(0, field.find_last_not_of(" \t") + 1)};
+    }
+
+    /// What stands in quotes, from the first of them on.
+    std::string quoted(std::size_t begin)
+    {
+        std::string field;
+        for (;;) {
+            std::size_t const end = text_.find('"', at_ + 1);
+            if (end == text_.npos) {
+                refuse_quote(begin);
+                return field;
+            }
+            field += text_.substr(at_ + 1, end - at_ - 1);
+            at_ = end + 1;
+            if (at_ == text_.size() or text_[at_] != '"') {
+                break;
+            }
+            field += '"';
+        }
+        skip(" \t");
+        expect_end_of_field();
+        return field;
+    }
+
+    [[nodiscard]] bool is_at_end_of_field() const
+    {
+        return at_ == text_.size() or text_[at_] == separator_ or text_[at_] == '\r' or text_[at_] == '\n';
+    }
+
+    void expect_end_of_field()
+    {
+        if (not is_at_end_of_field()) {
+            refuse_quote(at_);
+        }
+    }
+
+    void refuse_quote(std::size_t byte) { refuse(places_.of(byte), "a quote does not belong here, or has no end"); }
 
     void end_row()
     {
@@ -126,12 +171,6 @@ private:
         }
     }
 
-    void fail(std::size_t byte)
-    {
-        refuse(places_.of(byte), csv_error(&parser_) == CSV_EPARSE ? "a quote does not belong here, or has no end"
-                                                                   : csv_strerror(csv_error(&parser_)));
-    }
-
     void refuse(text_place place, std::string sentence)
     {
         if (not found_.fault) {
@@ -140,11 +179,10 @@ private:
     }
 
     std::string_view text_;
+    char separator_{','};
     place_counter places_;
     saved_text& found_;
-    parser parser_{};
     std::size_t at_{0};
-    std::size_t begin_{0}; ///< of the field that is read
     std::vector<placed_text> row_{};
     std::vector<std::string> names_{};
 };
