@@ -273,21 +273,40 @@ TEST_CASE(
 
 TEST_CASE("what is damaged into a request, or completes one, is kept back")
 {
+    constexpr rtuwire::instant now{7};
     // Noise 07 in front of an answer of unit 6 to function 03 that is, behind it, a write with a right CRC.
     numbers const write = with_crc({7, 6, 3, 2, 0x12, 0x34});
     request_guard client{frame_way::answer};
-    CHECK(client.lets_pass(raw({7}), true));
-    CHECK_FALSE(client.lets_pass(raw({write.begin() + 1, write.end()}), false));
+    CHECK(client.lets_pass(raw({7}), true, now));
+    CHECK_FALSE(client.lets_pass(raw({write.begin() + 1, write.end()}), false, now));
     request_guard other{frame_way::answer};
-    CHECK(other.lets_pass(raw(write), false)); // as it came
-    CHECK_FALSE(other.lets_pass(raw(write), true));
+    CHECK(other.lets_pass(raw(write), false, now)); // as it came
+    CHECK_FALSE(other.lets_pass(raw(write), true, now));
     numbers const read = with_crc({7, 3, 0, 1, 0, 1});
-    CHECK(other.lets_pass(raw(read), true)); // reads only
+    CHECK(other.lets_pass(raw(read), true, now)); // reads only
     request_guard server{frame_way::request};
-    CHECK_FALSE(server.lets_pass(raw(read), true));
-    CHECK(server.lets_pass(raw(read), false));
-    CHECK(server.lets_pass(raw({read.begin(), read.end() - 1}), true));
-    CHECK_FALSE(server.lets_pass(raw({read.back()}), false)); // the byte that was lost comes by another way
+    CHECK_FALSE(server.lets_pass(raw(read), true, now));
+    CHECK(server.lets_pass(raw(read), false, now));
+    CHECK(server.lets_pass(raw({read.begin(), read.end() - 1}), true, now));
+    CHECK_FALSE(server.lets_pass(raw({read.back()}), false, now)); // the byte that was lost comes by another way
+}
+
+TEST_CASE("a piece behind which each frame would complete another holds them back for 3 s, and not for ever")
+{
+    // Behind these the CRC stands as before a first byte, so that each whole frame is also the end of one with these in front.
+    numbers damaged{1, 3, 0, 100, 0, 1, 0, 0};
+    while (crc_of(damaged, 0, damaged.size()) != 0xFFFF) {
+        damaged[7] = static_cast<std::uint8_t>(damaged[7] + 1U);
+        damaged[6] = static_cast<std::uint8_t>(damaged[6] + (damaged[7] == 0 ? 1U : 0U));
+    }
+    auto const at = [](std::uint32_t ms) { return rtuwire::instant{7} + rtuwire::milliseconds(ms); };
+    request_guard server{frame_way::request};
+    REQUIRE(server.lets_pass(raw(damaged), true, at(0)));
+    for (std::uint8_t turn = 1; turn < 15; ++turn) {
+        CHECK_FALSE(server.lets_pass(raw(with_crc({1, 3, 0, turn, 0, 1})), false, at(turn * 200U)));
+    }
+    CHECK(server.lets_pass(raw(with_crc({1, 3, 0, 15, 0, 1})), false, at(3'000)));
+    CHECK(server.lets_pass(raw(with_crc({1, 3, 0, 16, 0, 1})), false, at(3'100)));
 }
 
 namespace {

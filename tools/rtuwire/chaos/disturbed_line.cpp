@@ -406,7 +406,7 @@ void disturbed_line::release(frame_way way, instant now)
 
 void disturbed_line::send(frame_way way, outgoing const& piece, instant now)
 {
-    if (not at(guards_, way).lets_pass(piece.bytes, piece.is_own)) {
+    if (not at(guards_, way).lets_pass(piece.bytes, piece.is_own, now)) {
         ++at(counts_, way).kept_back;
         outgoing kept = piece;
         kept.told = piece.told.substr(0, piece.told.find(" left: ")) +

@@ -8,8 +8,13 @@
 
 namespace tool {
 
-bool request_guard::lets_pass(rtuwire::byte_view bytes, bool is_own)
+bool request_guard::lets_pass(rtuwire::byte_view bytes, bool is_own, rtuwire::instant now)
 {
+    constexpr rtuwire::duration longest_pause = rtuwire::milliseconds(3'000);
+    if (reached(now, gone_ + longest_pause)) {
+        bytes_.clear();
+        is_own_.clear();
+    }
     std::size_t const before = bytes_.size();
     bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     is_own_.insert(is_own_.end(), bytes.size(), is_own);
@@ -18,6 +23,7 @@ bool request_guard::lets_pass(rtuwire::byte_view bytes, bool is_own)
         is_own_.resize(before);
         return false;
     }
+    gone_ = now;
     if (bytes_.size() > rtuwire::max_adu_size) {
         auto const old = static_cast<std::ptrdiff_t>(bytes_.size() - rtuwire::max_adu_size);
         bytes_.erase(bytes_.begin(), bytes_.begin() + old);

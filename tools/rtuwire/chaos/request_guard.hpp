@@ -19,8 +19,10 @@ class request_guard {
 public:
     explicit request_guard(frame_way way) : way_{way} {}
 
-    /// Whether bytes may go; those that may have gone then. `is_own`: not as they came.
-    [[nodiscard]] bool lets_pass(rtuwire::byte_view bytes, bool is_own);
+    /// Whether bytes may go; those that may have gone then. `is_own`: not as they came. Where nothing has gone for 3 s, which
+    /// is longer than receivers wait for the rest of a frame, what comes is judged alone: else one piece behind which each
+    /// whole frame completes another would hold all back for ever.
+    [[nodiscard]] bool lets_pass(rtuwire::byte_view bytes, bool is_own, rtuwire::instant now);
 
 private:
     /// One that ends behind `from`.
@@ -31,6 +33,7 @@ private:
     frame_way way_;
     std::vector<std::byte> bytes_{};
     std::vector<bool> is_own_{};
+    rtuwire::instant gone_{0}; ///< when bytes went last
 };
 
 } // namespace tool
