@@ -94,13 +94,15 @@ def packets(file):
 def told(file):
     """Four streams of bytes, as the comments have it: what came from each side, and what left for each."""
     came, left = {"request": b"", "answer": b""}, {"request": b"", "answer": b""}
+    arrived = set()  # a fault has two packets: as the frame came, and what became of it
     for data, comment in packets(file):
-        kind = comment.split()[0]
+        kind, number = comment.replace(":", "").split()[:2]
         is_kept = " came: kept back" in comment
         if " given back" in comment:
             left["answer"] += data
         elif " came: " in comment:
-            came[kind] += b"" if is_kept else data
+            came[kind] += b"" if is_kept and (kind, number) in arrived else data
+            arrived.add((kind, number))
         elif " left: " in comment:
             left[kind] += data
             made_up = re.search("left: (foreign|noise|babble)", comment)
