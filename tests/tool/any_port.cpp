@@ -274,6 +274,25 @@ TEST_CASE("over Modbus TCP a frame goes as a message, without the CRC that was m
     CHECK(hex(other.passed(frame)) == hex(frame));
 }
 
+TEST_CASE("what was written is known to have been taken, or not to have gone anywhere")
+{
+    pseudo_terminal far;
+    REQUIRE(far.open());
+    any_port port;
+    REQUIRE(port.open(described(far.path())));
+    CHECK_FALSE(port.has_taken_last());
+    std::vector<std::byte> const more(1U << 20U);
+    CHECK(port.write(more, port.now() + milliseconds(20)) == errc::transmit_stalled);
+    CHECK_FALSE(port.has_taken_last());
+    std::array<std::byte, 4'096> place{};
+    while (far.read(place, steady_now() + milliseconds(20))->size() != 0) {
+    }
+    // The failure before is one no more, and still the last that there was.
+    CHECK(port.write(std::array<std::byte, 1>{}, test::soon()));
+    CHECK(port.has_taken_last());
+    CHECK_FALSE(port.failure().empty());
+}
+
 TEST_CASE("what does not open says so with its name")
 {
     any_port port;

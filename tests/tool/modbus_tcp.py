@@ -229,7 +229,7 @@ def other_protocol(check, tool):
             lambda it: [with_crc(bytes([1, 0x83, 2]))], PORT, "01 83 02 C0 F1", "tcp://127.0.0.1")
     answers(check, tool, "silence where Modbus TCP was sent", lambda it: [], NO_ANSWER, f"tcp://127.0.0.1")
     answers(check, tool, "silence where RTU frames were sent", lambda it: [], NO_ANSWER, "mbap://127.0.0.1", word="tcp")
-    for words in (["read", "100"], ["read", "RFR"], ["identify"]):
+    for words in (["read", "100"], ["read", "RFR"], ["identify"], ["stop"]):
         for sent, other, frames in (("tcp", "mbap", "RTU frames with a CRC were sent"), ("mbap", "tcp", "Modbus TCP was sent")):
             with socket.create_server(("127.0.0.1", 0)) as listening:
                 def hang_up():
@@ -318,6 +318,42 @@ def ends_half_way(check, tool, gateway):
                     check(ended.status == NO_ANSWER and "no response" in told, f"{what}: no answer", ended)
                 elif count > 1:
                     check("no response" in ended.output, f"{what}: the row says so", ended)
+
+
+def ends_before_a_stop(check, tool, gateway):
+    """The line ends before a request of a stop goes on, or behind its answer."""
+    says = {"unsent": "no word that stops the motor was sent before", "sent": "sent, and no answer confirmed it",
+            "confirmed": "the drive has confirmed the word"}
+    seen = []
+    for drive in ((), ("-d", "atv320")):
+        for count in range(1, 6):
+            for behind in (False, True):
+                with socket.create_connection(("127.0.0.1", gateway.number)) as far, Server(None) as server:
+                    answered = []
+
+                    def said(request):
+                        is_last = len(server.requests) >= count
+                        if is_last and not behind:
+                            return [None]
+                        far.sendall(request.data)
+                        answered.append(request)
+                        return [far.recv(512), *([None] if is_last else [])]
+                    server.said = said
+                    ended = tool.run(*PATIENT, "-u", 7, *drive, "stop", port=server.name)
+                came = [request.pdu[0] == 6 for request in server.requests]
+                how = "confirmed" if any(each.pdu[0] == 6 for each in answered) else "sent" if any(came) else "unsent"
+                what = f"stop {' '.join(drive)}, cut {'behind' if behind else 'before'} answer {count}: {how}"
+                if ended.status == DONE:  # it was over before
+                    check("the motor" in ended.output and len(server.requests) <= count, what, ended)
+                    continue
+                told = ended.output + ended.errors
+                check(ended.status == PORT and "the connection is gone" in told and "stop` stops it" in told, what, ended)
+                # What is written behind an end that was not seen yet is sent, and comes to nobody.
+                may_be = ["unsent", "sent"] if how == "unsent" else [how]
+                found = [each for each in says if says[each] in told]
+                check(found in [[each] for each in may_be], f"{what}: is said", ended)
+                seen += found
+    check(set(seen) == set(says), "each of the three was said", seen)
 
 
 class Between:
@@ -436,7 +472,7 @@ def shares_its_port(check, tool, gateway):
 
 def drives(check, program):
     with Tool(program) as tool, Gateway(tool.program, "atv320:7", "atv12:3", "atv28:4") as gateway:
-        for part in (reads_drives, ends_half_way, shares_its_port, runs_a_motor):
+        for part in (reads_drives, ends_half_way, ends_before_a_stop, shares_its_port, runs_a_motor):
             part(check, tool, gateway)
 
 

@@ -225,12 +225,6 @@ private:
                       "; waits until it stands");
     }
 
-    bool is_at_zero(drive_catalog const& drive)
-    {
-        auto const read = line_.ask(who_.unit, rtuwire::read_holding_registers{.start = drive.layout.rfr, .count = 1});
-        return read and read->registers[0] == 0;
-    }
-
     /// What was read, in words.
     ending judge(rtuwire::altivar::reason const& why, drive_catalog const& drive)
     {
@@ -245,6 +239,9 @@ private:
             bool const coasts = way_ == stop_by::freewheel or why.is_other_stop;
             return {exit_status::done, (coasts ? no_power_text : "the motor stands") + other};
         }
+        if (status_of(why.error) == exit_status::port) {
+            return port_failed(other);
+        }
         if (why.kind == outcome_kind::unconfirmed) {
             return {exit_status::differs, "the motor slows, not confirmed to stand" + other};
         }
@@ -258,10 +255,22 @@ private:
             return {exit_status::differs, "the stop was taken, and is not obeyed"};
         }
         if (why.kind == outcome_kind::in_fault) {
-            return in_fault(why, drive);
+            return in_fault(why, drive, other);
         }
         return {exit_status::differs,
                 "the motor was not seen to stop: " + std::string{std::string_view{name_of(why.kind)}}};
+    }
+
+    /// How far the word has come.
+    ending port_failed(std::string const& other)
+    {
+        std::string word = "no word that stops the motor was sent before";
+        if (line_.exchange().written() == written_word::sent) {
+            word = "the word that stops the motor was sent, and no answer confirmed it" + other;
+        } else if (line_.exchange().written() == written_word::confirmed) {
+            word = "the drive has confirmed the word that stops the motor, which was not seen to stand" + other;
+        }
+        return {exit_status::port, line_.port().failure() + "; " + word + "; " + way_to_stop(chosen_.line)};
     }
 
     ending not_reached(errc why) const
@@ -270,11 +279,16 @@ private:
         return {status, "the drive was not reached: " + words_of(why)};
     }
 
-    ending in_fault(rtuwire::altivar::reason const& why, drive_catalog const& drive)
+    ending in_fault(rtuwire::altivar::reason const& why, drive_catalog const& drive, std::string const& other)
     {
         register_entry const* const lft = drive.at(drive.layout.lft);
         std::string const fault = lft == nullptr ? std::string{} : text_of(*lft, why.fault);
-        if (not is_at_zero(drive)) {
+        auto const output =
+            line_.ask(who_.unit, rtuwire::read_holding_registers{.start = drive.layout.rfr, .count = 1});
+        if (status_of(output.error()) == exit_status::port) {
+            return port_failed(other);
+        }
+        if (not output or output->registers[0] != 0) {
             return {exit_status::differs, "in fault, not confirmed to stand: " + fault};
         }
         return {exit_status::done, no_power_text + (", in fault: " + fault)};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "line/exchange_log.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -132,12 +133,20 @@ exchange_log exchange_log::of(line_choices const& chosen, line_setting const& ho
         });
     }
     exchange_log log;
+    log.port_ = &port;
     log.shown_ = chosen.is_verbose ? &port : nullptr;
     return log;
 }
 
 void exchange_log::take(rtuwire::traced_frame const& frame) noexcept
 {
+    constexpr auto write = static_cast<std::byte>(rtuwire::function_code::write_single_register);
+    // What the port did not take is traced, too.
+    bool const has_passed = not frame.is_own or port_ == nullptr or port_->has_taken_last();
+    if (has_passed and frame.verdict == rtuwire::frame_verdict::good and frame.bytes.size() > 1 and
+        frame.bytes[1] == write) {
+        written_ = std::max(written_, frame.is_own ? written_word::sent : written_word::confirmed);
+    }
     try {
         owed_.note(frame);
         rtuwire::traced_frame const next = in_order(frame);

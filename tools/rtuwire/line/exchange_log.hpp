@@ -14,6 +14,9 @@ namespace tool {
 
 struct line_setting;
 
+/// How far the words that were written to single registers have come.
+enum class written_word { unsent, sent, confirmed };
+
 class exchange_log {
 public:
     /// Before the line is opened: makes the file, which must not be there yet, so that nothing is lost and no pipe is
@@ -27,11 +30,16 @@ public:
     owed_answers& owed() { return owed_; }
     owed_answers const& owed() const { return owed_; }
 
+    /// How far any of them came that has passed.
+    written_word written() const { return written_; }
+
     /// A frame has passed. A file that can take no more is told of once, and left.
     void take(rtuwire::traced_frame const& frame) noexcept;
 
 private:
     owed_answers owed_{};
+    written_word written_{written_word::unsent};
+    any_port const* port_{nullptr};
     any_port const* shown_{nullptr}; ///< whose frames are shown, where they are
 };
 

@@ -209,6 +209,11 @@ std::string shown_command(line_choices const& line, unit_address unit, std::stri
     return shown_command(of_unit, words);
 }
 
+std::string way_to_stop(line_choices const& line)
+{
+    return '`' + shown_command(line, "stop") + "` stops it, and says so, where the drive hears that";
+}
+
 rtuwire::duration seconds_in(double seconds)
 {
     return rtuwire::microseconds(static_cast<std::uint32_t>(seconds * 1'000'000.0));

@@ -67,6 +67,9 @@ std::string shown_command(line_choices const& line, std::string_view words);
 /// The same for another unit of the line.
 std::string shown_command(line_choices const& line, unit_address unit, std::string_view words);
 
+/// "`rtuwire ... stop` stops it, and says so, where the drive hears that": what is left to do about a motor whose port failed.
+std::string way_to_stop(line_choices const& line);
+
 /// Seconds as the library counts them.
 rtuwire::duration seconds_in(double seconds);
 

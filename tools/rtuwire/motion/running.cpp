@@ -313,8 +313,7 @@ std::string running::own_stop() const
     rtuwire::duration const timeout = motor_->supervision().period.timeout;
     std::string const seconds =
         timeout != rtuwire::duration{} ? " of " + amount_text(timeout.microseconds / 100'000, {1, 10}, "s") : "";
-    return "the motor stops when the drive's own time-out" + seconds + " is over; `" + shown_command(line_, "stop") +
-           "` stops it, and says so, where the drive hears that";
+    return "the motor stops when the drive's own time-out" + seconds + " is over; " + way_to_stop(line_);
 }
 
 std::string running::fault_text() const

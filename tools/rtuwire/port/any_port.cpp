@@ -26,7 +26,7 @@ result<void> any_port::open(port_description const& described, serial_settings c
     close();
     own_failure_.clear();
     heard_ = 0;
-    has_sent_ = false;
+    has_sent_ = is_gone_ = false;
     return std::visit([&](auto const& chosen) { return open_one(chosen, settings); }, described);
 }
 
@@ -112,6 +112,7 @@ std::string const& any_port::failure() const noexcept
 result<void> any_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
 {
     auto const written = std::visit([&](auto& port) { return port.write(bytes, until); }, port_);
+    has_taken_last_ = written and not is_gone_;
     has_sent_ = has_sent_ or written;
     note_failure(written.error());
     return written;
@@ -128,6 +129,7 @@ result<rtuwire::byte_span> any_port::read(rtuwire::byte_span place, rtuwire::ins
 /// A server that is spoken to in the other of both protocols closes the connection, or answers what is none of this one.
 void any_port::note_failure(rtuwire::errc why)
 {
+    is_gone_ = is_gone_ or why == errc::device_vanished;
     auto const* const numbered = std::get_if<mbap_stream>(&port_);
     bool const has_begun = numbered != nullptr and not numbered->begun().empty();
     bool const is_protocol = (why == errc::device_vanished and not has_begun) or why == errc::device_failed;

@@ -67,6 +67,10 @@ public:
     /// Modbus TCP those of `check_frame`, where it is no frame.
     rtuwire::result<void> write(rtuwire::byte_view bytes, rtuwire::instant until);
 
+    /// Whether the last write was taken whole, and nothing had told before that the other end is gone: a connection takes what
+    /// goes nowhere.
+    [[nodiscard]] bool has_taken_last() const noexcept { return has_taken_last_; }
+
     /// Waits for at least one byte until the deadline and reads what is there; empty when there was none. Errors:
     /// `device_not_open`, `device_vanished`, `device_failed`.
     rtuwire::result<rtuwire::byte_span> read(rtuwire::byte_span place, rtuwire::instant until);
@@ -95,6 +99,8 @@ private:
     rtuwire::line_timing timing_{rtuwire::line_timing::without_wire()};
     std::size_t heard_{0};
     bool has_sent_{false};
+    bool has_taken_last_{false};
+    bool is_gone_{false};
     std::string own_failure_{}; ///< where it is not the port's
 };
 
