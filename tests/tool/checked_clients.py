@@ -10,17 +10,18 @@ clients that are in use. All are checked at once: nearly all of that time is wai
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 import threading
 import time
 import xml.etree.ElementTree
 
-from support import DIFFERS, DONE, HERE, USAGE, Line, Tool, runs
+from support import DIFFERS, DONE, HERE, USAGE, Line, Tool, runs, soon
 
 import defective_clients
 from defective_clients import Client, SendsAtOnce
-from pair import free_port
+from pair import Programs, free_port
 
 PROGRAM = [sys.executable, "-S", "-E", "-B", os.path.join(HERE, "defective_clients.py")]
 TIMEOUT = 0.3  # s
@@ -132,6 +133,12 @@ def check_ports(tool, check):
     with Line() as line:
         refused = tool.run("check", "--client", "--", "true", port=line.name)
     check(refused.status == USAGE and "--client-port" in refused.errors, "a device has another end", refused)
+    # Between two pseudo-terminals bytes take no time, whatever the bit rate.
+    with Programs() as programs:
+        near, far = programs.line()
+        said = tool.run("--timeout", TIMEOUT, "check", "--only", "K01,K63", "--client", "--client-port", far, "--",
+                        *PROGRAM, "Client", port=near)
+        check(said.status == DONE, "a right client at the other end of a pair of pseudo-terminals", said)
     where = f"tcp://127.0.0.1:{free_port()}"
     for name, status in (("Client", DONE), ("NoUnit", DIFFERS)):
         said = tool.run("--timeout", TIMEOUT, "check", *some, "--client", "--", *PROGRAM, name, port=where)
@@ -186,6 +193,10 @@ def check_words(tool, check):
     check(said.status == DIFFERS and verdicts == {"not tried"} and "ended with status 1" in said.objects()[0]["why"],
           "a client that does not read is one failure", said)
     check('failures="1" skipped="43"' in (tool.place / "client.xml").read_text(), "and one in the file for others")
+    for clause in ("K60", "K62"):
+        check("has to wait" in tool.run("check", "--explain", clause).output, f"{clause} says what a client has to do")
+    said = tool.run("--timeout", 0, "check", "--client", "--", "true")
+    check(said.status == USAGE and "--timeout" in said.errors and "'--'" not in said.errors, "what is wrong stands before --", said)
 
 
 ASKS_8E1 = """
@@ -202,6 +213,22 @@ tty.setraw(line)
 for _ in range(3000):
     os.write(line, bytes.fromhex("01030064000285D4"))
 """
+
+
+AS_ASKED_AND_MORE = ASKS_8E1 + """
+if len(answer) < 9:
+    for _ in range(300):
+        line.write(bytes.fromhex("01030064000285D4"))
+    print("error")
+"""
+
+
+def lives(pid):
+    try:
+        with open(f"/proc/{pid}/stat", encoding="ascii") as file:
+            return file.read().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
 
 
 def check_programs(tool, check):
@@ -227,6 +254,23 @@ def check_programs(tool, check):
     check(said.status == DIFFERS and len(whys) == 1 and "x1B" in whys[0], "control characters are none in XML", (said, whys))
     said = checked_by(*python, ASKS_WITHOUT_END, only="K01,K13")
     check(said.status == DIFFERS, "who asks without end and reads nothing keeps nobody", said)
+    rows = checked_by(*python, AS_ASKED_AND_MORE, only="K13").objects()
+    check(rows[0]["verdict"] == "fails" and "more" in rows[0]["why"] and len(rows[0]["why"]) < 400, "nor fills a row", rows[0]["why"])
+    left = tool.place / "left"
+    said = checked_by("sh", "-c", f'sleep 1000 & echo $! >> {left}; exec {" ".join(PROGRAM)} Client "$@"', "-", only="K01,K03")
+    pids = left.read_text().split()
+    check(said.status == DONE and len(pids) == 2 and soon(lambda: not any(map(lives, pids))), "what a client leaves running is ended",
+          (said, pids))
+    # Ended in its first clause: no file of nothing that failed.
+    begun = tool.place / "begun"
+    process = tool.start("check", "--client", "--junit", tool.place / "cut.xml", "--", "sh", "-c", f"echo > {begun}; sleep 1000")
+    check(soon(begun.exists), "the first clause has begun")
+    process.send_signal(signal.SIGTERM)
+    process.communicate(timeout=60)
+    cases = list(xml.etree.ElementTree.parse(tool.place / "cut.xml").iter("testcase"))
+    check(process.returncode == 128 + signal.SIGTERM and len(cases) == CLAUSES and cases[0].find("error") is not None
+          and all(each.find("skipped") is not None for each in cases[1:]), "a check that was cut is an error for other programs",
+          (process.returncode, len(cases)))
 
 
 PARTS = {"defects": check_defects, "clients": check_clients, "npm": check_npm}

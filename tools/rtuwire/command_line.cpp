@@ -250,6 +250,9 @@ std::string wrong_word(CLI::App const& app)
     bool const has_command = not app.get_subcommands().empty();
     std::vector<std::string> const options = options_of(app);
     for (std::string const& word : app.remaining(true)) {
+        if (word == "--") { // what stands behind it is no option
+            break;
+        }
         bool const is_option = word.starts_with('-');
         bool const is_of_command = has_command and std::ranges::find(options, word) != options.end();
         if (is_of_command) { // and stands in front of it

@@ -220,6 +220,17 @@ std::string client_ms(line_time time)
     return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " ms";
 }
 
+/// The first of them: a client may ask without end.
+std::string client_ms(std::vector<line_time> const& times)
+{
+    constexpr std::size_t most = 8;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(times.size(), most); ++i) {
+        text += (i > 0 ? ", " : "") + client_ms(times[i]);
+    }
+    return text + (times.size() > most ? " and " + std::to_string(times.size() - most) + " more" : std::string{});
+}
+
 line_time between(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point until)
 {
     return std::chrono::duration_cast<line_time>(until - from);
@@ -271,8 +282,7 @@ void checked_client::send_due(client_run& run)
             due_.clear(); // nobody reads: what is due is lost, as on a wire, and nothing waits for it
             return;
         }
-        bool const is_on_wire = port_.is_device();
-        last_said_ = began + (is_on_wire ? rtuwire::to_chrono(wire_.characters(now.bytes.size())) : line_time{0});
+        last_said_ = began + (port_.has_wire() ? rtuwire::to_chrono(wire_.characters(now.bytes.size())) : line_time{0});
         run.passed.push_back({began, true, now.bytes});
         log_.take({.bytes = now.bytes, .at = any_port::now(), .role = rtuwire::frame_role::response, .is_own = true});
     }
@@ -293,7 +303,7 @@ void checked_client::take(line_bytes frame, answering const& answer, client_run&
         return;
     }
     // A wire wants a silence before the answer, too.
-    auto at = last_byte_ + (port_.is_device() ? rtuwire::to_chrono(wire_.t3_5()) : line_time{0});
+    auto at = last_byte_ + (port_.has_wire() ? rtuwire::to_chrono(wire_.t3_5()) : line_time{0});
     for (sent_piece const& each : pieces_of(words, where_)) {
         double const characters = each.characters * static_cast<double>(wire_.characters(1).microseconds);
         at += line_time{static_cast<std::int64_t>(characters) + 1'000 * std::int64_t{each.ms}};
@@ -465,15 +475,16 @@ judgement checked_client::judged_requests(std::string_view rule, client_run cons
                    ? judgement{}
                    : client_fails("it was sent " + std::to_string(times) + (times == 1 ? " time" : " times"));
     }
-    std::string gaps;
+    std::vector<line_time> all;
     line_time least = line_time::max();
     bool const is_of_answers = rule == "waits t3.5";
     for (std::size_t i = 1; i < run.requests.size(); ++i) {
         line_time const gap =
             is_of_answers ? run.requests[i].silence : between(run.requests[i - 1].at, run.requests[i].at);
-        gaps += (gaps.empty() ? "" : ", ") + client_ms(gap);
+        all.push_back(gap);
         least = std::min(least, gap);
     }
+    std::string const gaps = client_ms(all);
     if (rule == "told") {
         return {verdict::told,
                 "sent " + std::to_string(times) + (times == 1 ? " time" : " times") +

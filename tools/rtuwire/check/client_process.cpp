@@ -69,11 +69,19 @@ client_process::client_process(std::vector<std::string> const& words)
     }
 }
 
+/// While the number of its group is its own: nobody else has it before its end is taken.
+void client_process::end_group()
+{
+    int status = 0;
+    ::kill(-pid_, SIGKILL);
+    static_cast<void>(::waitpid(pid_, &status, 0));
+    status_ = status;
+}
+
 client_process::~client_process()
 {
     if (not status_) {
-        ::kill(-pid_, SIGKILL);
-        static_cast<void>(::waitpid(pid_, nullptr, 0));
+        end_group();
     }
     for (int const each : {output_, errors_}) {
         if (each >= 0) {
@@ -101,10 +109,15 @@ bool client_process::take(int& pipe, std::string& text)
 
 bool client_process::look()
 {
-    int status = 0;
-    bool const has_ended = status_ or ::waitpid(pid_, &status, WNOHANG) == pid_;
-    status_ = has_ended and not status_ ? std::optional{status} : status_;
-    // What it printed before its end is in the pipes; what it left running may keep them open.
+    siginfo_t seen{};
+    bool const ends = not status_ and
+                      ::waitid(P_PID, static_cast<id_t>(pid_), &seen, WEXITED | WNOHANG | WNOWAIT) == 0 and
+                      seen.si_pid == pid_;
+    if (ends) {
+        end_group();
+    }
+    bool const has_ended = status_.has_value();
+    // What it printed before its end is in the pipes.
     bool const has_more = take(output_, line_);
     static_cast<void>(take(errors_, complaints_));
     if (complaints_.size() > most_kept) {

@@ -26,7 +26,7 @@ public:
     client_process& operator=(client_process const&) = delete;
     ~client_process();
 
-    /// Takes what it has printed, without a wait. False where it has ended, and all was taken.
+    /// Takes what it has printed, without a wait. False where it has ended, with all that it left running, and all was taken.
     bool look();
 
     /// Its lines that are an answer; others, of its own, are left out.
@@ -38,6 +38,7 @@ public:
 
 private:
     static bool take(int& pipe, std::string& text);
+    void end_group();
 
     pid_t pid_{-1};
     int output_{-1}, errors_{-1};

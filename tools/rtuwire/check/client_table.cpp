@@ -164,7 +164,8 @@ constexpr clause client_table[]{
      "right"},
     {"K60", "client", must, "SL 2.4.1", "", quiet,
      "read U 100 2 / read U 300 2", "LAST ~T120 GOOD / ~T50 GOOD",
-     "The answer to a request that was given up is handed on as the answer to the next one: all values are shifted by one register.",
+     "The answer to a request that was given up is handed on as the answer to the next one: all values are shifted by one register. "
+     "An answer has no number: behind a request that was given up the client has to wait as long as a unit may be late, and to drop what comes, before it asks anything else.",
      "any / right or error"},
     {"K61", "client", must, "SL 2.4.1", "", quiet,
      "read U 100 2 / read U 300 2", "GOOD ; GOOD / ~T50 GOOD",
@@ -172,7 +173,8 @@ constexpr clause client_table[]{
      "any / right or error"},
     {"K62", "client", must, "SL 2.4.1", "repeats", quiet,
      "read U 100 2 / read U 300 2", "- then ~20ms GOOD ; ~T20 GOOD / ~T50 GOOD",
-     "A unit that was slow once answers the request and its repetition: the second answer is handed on as that of the next request.",
+     "A unit that was slow once answers the request and its repetition: the second answer is handed on as that of the next request. "
+     "Behind an answer to a repetition the client has to wait for the other one, as behind a request that was given up.",
      "any / right or error"},
     {"K63", "client", must, "SL 2.5.1.1", "", quiet,
      "read U 100 1 / read U 101 1 / read U 102 1 / read U 103 1 / read U 104 1", "GOOD / GOOD / GOOD / GOOD / GOOD",

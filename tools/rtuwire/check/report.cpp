@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "check/report.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -21,11 +22,12 @@ std::string_view name_of(clause_level level)
     return level == clause_level::must ? "must" : level == clause_level::should ? "should" : "may";
 }
 
-/// "> 01 03 00 00 00 01 84 0A, 12.3 ms < 01 83 02 C0 F1"
+/// "> 01 03 00 00 00 01 84 0A, 12.3 ms < 01 83 02 C0 F1", and no more than anybody reads.
 std::string passed_text(std::vector<passed_bytes> const& all)
 {
+    constexpr std::size_t most = 400;
     std::string text;
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i) {
         if (i > 0) {
             std::chrono::duration<double, std::milli> const since = all[i].at - all[i - 1].at;
             std::array<char, 24> time{};
@@ -34,7 +36,7 @@ std::string passed_text(std::vector<passed_bytes> const& all)
         }
         text += (all[i].is_sent ? "> " : "< ") + hex_of(all[i].bytes);
     }
-    return text;
+    return text + (all.size() > most ? " and " + std::to_string(all.size() - most) + " more" : std::string{});
 }
 
 std::string escaped(std::string_view text)
@@ -105,18 +107,22 @@ std::string explained(clause const& which)
 
 void write_junit(std::string const& path, std::string const& unit, std::span<judged_clause const> all)
 {
-    std::size_t failures = 0, skipped = 0;
+    std::size_t failures = 0, skipped = 0, errors = 0;
     std::string cases;
     for (judged_clause const& each : all) {
         clause const& which = *each.which;
         bool const fails = each.found.how == verdict::fails and which.level == clause_level::must;
-        bool const is_skipped = each.found.how == verdict::does_not_apply or each.found.how == verdict::not_tried or
-                                each.found.how == verdict::known;
+        bool const is_cut = each.is_cut;
+        bool const is_skipped =
+            not is_cut and (each.found.how == verdict::does_not_apply or each.found.how == verdict::not_tried or
+                            each.found.how == verdict::known);
+        errors += is_cut ? 1U : 0U;
         failures += fails ? 1U : 0U;
         skipped += is_skipped ? 1U : 0U;
         std::string const why = escaped(plain_text(each.found.why)); // XML has no control characters
         cases += "    <testcase classname=\"" + escaped(which.group) + "\" name=\"" + escaped(which.id) + "\">";
         cases += fails         ? "<failure message=\"" + escaped(which.harm) + "\">" + why + "</failure>"
+                 : is_cut      ? "<error message=\"" + why + "\"/>"
                  : is_skipped  ? "<skipped message=\"" + why + "\"/>"
                  : why.empty() ? std::string{}
                                : "<system-out>" + escaped(name_of(each.found.how)) + ": " + why + "</system-out>";
@@ -124,8 +130,8 @@ void write_junit(std::string const& path, std::string const& unit, std::span<jud
     }
     std::string const text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"" +
                              escaped(unit) + "\" tests=\"" + std::to_string(all.size()) + "\" failures=\"" +
-                             std::to_string(failures) + "\" skipped=\"" + std::to_string(skipped) + "\">\n" + cases +
-                             "  </testsuite>\n</testsuites>\n";
+                             std::to_string(failures) + "\" skipped=\"" + std::to_string(skipped) + "\" errors=\"" +
+                             std::to_string(errors) + "\">\n" + cases + "  </testsuite>\n</testsuites>\n";
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{std::fopen(path.c_str(), "we"), &std::fclose};
     bool const is_written = file and std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() and
                             std::fclose(file.release()) == 0;

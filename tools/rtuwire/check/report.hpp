@@ -14,6 +14,7 @@ namespace tool {
 struct judged_clause {
     clause const* which;
     judgement found;
+    bool is_cut{false}; ///< the run was ended in it: an error where programs read it, for nothing was found
 };
 
 /// With all bytes where programs read it.

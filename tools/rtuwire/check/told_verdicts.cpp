@@ -51,8 +51,8 @@ std::vector<clause const*> wanted_clauses(std::span<clause const> all, std::stri
     return wanted;
 }
 
-told_verdicts::told_verdicts(choices const& chosen, std::size_t clauses)
-    : chosen_{chosen}, clauses_{clauses}, results_{chosen.form, true}, bar_{clauses}
+told_verdicts::told_verdicts(choices const& chosen, std::vector<clause const*> clauses)
+    : chosen_{chosen}, clauses_{std::move(clauses)}, results_{chosen.form, true}, bar_{clauses_.size()}
 {}
 
 void told_verdicts::begin(clause const& which) { bar_.show(rows_.size(), ": " + std::string{which.id}); }
@@ -74,6 +74,16 @@ void told_verdicts::end()
     results_.finish();
 }
 
+std::vector<judged_clause> told_verdicts::all_rows() const
+{
+    std::vector<judged_clause> all = rows_;
+    for (std::size_t i = rows_.size(); i < clauses_.size(); ++i) {
+        std::string const why = "ended by signal " + std::to_string(noted_signal());
+        all.push_back({clauses_[i], {verdict::not_tried, why, {}}, i == rows_.size()});
+    }
+    return all;
+}
+
 exit_status told_verdicts::tell(std::string const& what) const
 {
     auto const count = [this](verdict how, auto... level) {
@@ -92,10 +102,10 @@ exit_status told_verdicts::tell(std::string const& what) const
         tell_error(std::string{hidden->which->id} + " was not tried: " + hidden->found.why);
     }
     if (noted_signal() != 0) {
-        std::fprintf(stderr, "ended after %zu of %zu clauses\n", rows_.size(), clauses_);
+        std::fprintf(stderr, "ended after %zu of %zu clauses\n", rows_.size(), clauses_.size());
     }
     if (not chosen_.check.junit.empty()) {
-        write_junit(chosen_.check.junit, what, rows_);
+        write_junit(chosen_.check.junit, what, all_rows());
     }
     if (noted_signal() != 0) {
         return static_cast<exit_status>(128 + noted_signal());

@@ -20,7 +20,7 @@ std::vector<clause const*> wanted_clauses(std::span<clause const> all, std::stri
 
 class told_verdicts {
 public:
-    told_verdicts(choices const& chosen, std::size_t clauses);
+    told_verdicts(choices const& chosen, std::vector<clause const*> clauses);
 
     /// On the terminal, while it is tried.
     void begin(clause const& which);
@@ -28,12 +28,15 @@ public:
     void add(judged_clause row);
     /// Nothing comes behind it.
     void end();
-    /// How many of each, and the file for other programs; 1 where a must fails. `what` was checked.
+    /// How many of each, and the file for other programs, which has all clauses, those behind a signal as well; 1 where a must
+    /// fails. `what` was checked.
     exit_status tell(std::string const& what) const;
 
 private:
+    std::vector<judged_clause> all_rows() const;
+
     choices const& chosen_;
-    std::size_t clauses_;
+    std::vector<clause const*> clauses_;
     output results_;
     progress bar_;
     std::vector<judged_clause> rows_{};

@@ -235,7 +235,7 @@ private:
     named_unit unit_;
     bool may_change_{false};
     bool is_left_changed_{false};
-    told_verdicts verdicts_{chosen_, clauses_.size()};
+    told_verdicts verdicts_{chosen_, clauses_};
 };
 
 exit_status check_client(choices const& chosen)
@@ -268,7 +268,7 @@ exit_status check_client(choices const& chosen)
                      chosen.line.response_timeout.value_or(clients_wait));
     }
     note_signals();
-    told_verdicts verdicts{chosen, clauses.size()};
+    told_verdicts verdicts{chosen, clauses};
     for (clause const* which : clauses) {
         verdicts.begin(*which);
         judged_clause row{which, client.judged(*which)};

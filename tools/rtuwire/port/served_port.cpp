@@ -122,6 +122,7 @@ served_port::served_port(std::string const& word, rtuwire::serial_settings const
         if (not port.open(device->path, settings)) {
             throw ended{exit_status::port, port.failure()};
         }
+        has_wire_ = not rtuwire::detail::is_pseudo_terminal(port.descriptor_number());
     } else if (auto const* const address = std::get_if<tcp_address>(&which.port)) {
         name_ = word.substr(word.find("//") + 2);
         if (std::string const why = port_.emplace<tcp_listener>().listen(*address); not why.empty()) {

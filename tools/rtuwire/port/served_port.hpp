@@ -46,6 +46,8 @@ public:
     /// What a client opens. Of a serial device that is its other end, whose name nobody knows here.
     std::string const& name() const { return name_; }
     bool is_device() const { return std::holds_alternative<rtuwire::posix_serial>(port_); }
+    /// Whether bytes take the time there that they take on a wire: not between pseudo-terminals, which are devices, too.
+    bool has_wire() const { return has_wire_; }
     bool is_network() const { return std::holds_alternative<tcp_listener>(port_); }
 
     /// For the next client: nothing of what the one before left unread reaches it. A pseudo-terminal has a new name then.
@@ -61,6 +63,7 @@ private:
 
     std::variant<rtuwire::pseudo_terminal, rtuwire::posix_serial, tcp_listener> port_{};
     std::string name_{};
+    bool has_wire_{false};
 };
 
 } // namespace tool
