@@ -5,6 +5,7 @@
 #include "defect/long_pauses.hpp"
 #include "support/catch.hpp"
 #include "support/drives.hpp"
+#include "support/one_in.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -157,7 +158,7 @@ TEST_CASE("defect: D28 a program that slept longer than the drive's time-out has
             INFO("SLL " << each.sll);
             std::uint64_t const shortest = has_sll or each.sll == 0 ? each.shortest_pause : 7'200'000;
             // The program falls asleep between two exchanges, while one is under way, and with the response in its receiver.
-            for (std::uint64_t after = 0; after < 130'000; after += 11'000) {
+            for (std::uint64_t after = 0; after < 130'000; after += 11'000 * test::one_in(5)) {
                 INFO("after " << after << " us");
                 sleeps<Device>(each, shortest, after);
             }

@@ -5,6 +5,7 @@
 #include "motion_law/plant.hpp"
 #include "support/catch.hpp"
 #include "support/drives.hpp"
+#include "support/one_in.hpp"
 
 #include <cstdint>
 
@@ -28,7 +29,7 @@ TEST_CASE("motion law: S17 a start that is cut after any frame turns the motor n
             for (bool const by_bit : {false, true}) {
                 for (std::int32_t const before : {0, 10, -10}) {
                     bool goes_on = true;
-                    for (unsigned frames = 0; goes_on; ++frames) {
+                    for (unsigned frames = 0; goes_on; frames += test::one_in(5)) {
                         plant<Device> it;
                         if (before != 0) {
                             it.turn(before, by_bit);

@@ -5,6 +5,7 @@
 #include "motion_law/plant.hpp"
 #include "support/catch.hpp"
 #include "support/drives.hpp"
+#include "support/one_in.hpp"
 
 #include <cstdint>
 #include <type_traits>
@@ -238,7 +239,7 @@ TEST_CASE("motion law: S42 cut after any of its frames, an order of 0 in reverse
         for (bool const only_answers : {false, true}) {
             for (bool const by_bit : {false, true}) {
                 bool goes_on = true;
-                for (unsigned frames = 0; goes_on and frames < 30; ++frames) {
+                for (unsigned frames = 0; goes_on and frames < 30; frames += test::one_in(5)) {
                     slow_plant<Device> running{100}, standing{100};
                     running.turn(-30, by_bit);
                     std::int32_t lowest = 0, highest = 0;

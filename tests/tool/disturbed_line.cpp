@@ -16,6 +16,7 @@
 #include "../../tools/rtuwire/capture/commented_block.hpp"
 #include "../../tools/rtuwire/exit_status.hpp"
 #include "support/catch.hpp"
+#include "support/one_in.hpp"
 
 using namespace tool;
 
@@ -168,11 +169,12 @@ std::size_t size_of_write(numbers const& bytes, std::size_t at)
 
 TEST_CASE("the same seed makes the same capture, byte for byte, and another one another")
 {
-    conversation const one = held(everything, 7, 3'000);
-    conversation const again = held(everything, 7, 3'000);
+    unsigned const count = 3'000 / rtuwire::test::one_in(3);
+    conversation const one = held(everything, 7, count);
+    conversation const again = held(everything, 7, count);
     CHECK(one.capture == again.capture);
     CHECK(one.to_client == again.to_client);
-    CHECK_FALSE(held(everything, 8, 3'000).capture == one.capture);
+    CHECK_FALSE(held(everything, 8, count).capture == one.capture);
     for (char const* const each :
          {"delayed by", "late by", "left: twice", "foreign, an answer of unit", "came: lost", "damaged in",
           "damaged by loss", "damaged by a byte", "left: noise", "given back to the client", "piece 1 of", "came: cut",
@@ -194,13 +196,14 @@ TEST_CASE("a fault meets the frames that it meets, whatever else is played")
         }
         return names;
     };
-    auto const alone = lost_of(held("request-lost=3%", 7, 2'000));
-    auto const beside = lost_of(held(everything, 7, 2'000));
-    REQUIRE(alone.size() > 30);
+    unsigned const part = rtuwire::test::one_in(4);
+    auto const alone = lost_of(held("request-lost=3%", 7, 2'000 / part));
+    auto const beside = lost_of(held(everything, 7, 2'000 / part));
+    REQUIRE(alone.size() > 30 / part);
     CHECK(alone == beside);
     auto const fault = faults_in("request-lost=3%").front();
     std::vector<std::string> foretold;
-    for (std::uint32_t number = 1; number <= 2'000; ++number) {
+    for (std::uint32_t number = 1; number <= 2'000 / part; ++number) {
         if (meets(fault, 7, number)) {
             foretold.push_back("request " + std::to_string(number));
         }
@@ -242,10 +245,11 @@ TEST_CASE("rates are kept, moments are met, a cut lasts")
 TEST_CASE(
     "nothing goes to the server but what the client sent, and no write to the client that the server did not send")
 {
+    unsigned const part = rtuwire::test::one_in(10);
     conversation const all =
         held("request-damaged=90%,request-delay=10%,request-split=20%,request-lumps=20%,foreign=40%,"
              "damaged=50%,noise=60%,babble=5%,doubled=20%,echo=10%,split=20%,late=5%",
-             3, 60'000);
+             3, 60'000 / part);
     std::size_t requests = 0;
     for (std::size_t at = 0; at + 8 <= all.to_server.size(); ++at) {
         bool const is_read = all.to_server[at + 1] == 3 and crc_of(all.to_server, at, 8) == 0;
@@ -267,8 +271,8 @@ TEST_CASE(
             CHECK(all.asked.contains(found)); // the answer to 06 is its request, and an echo is
         }
     }
-    CHECK(requests > 5'000);
-    CHECK(writes > 1'000);
+    CHECK(requests > 5'000 / part);
+    CHECK(writes > 1'000 / part);
 }
 
 TEST_CASE("what is damaged into a request, or completes one, is kept back")
@@ -368,9 +372,10 @@ TEST_CASE("no pieces of a request are the request that its data hold")
 {
     numbers const inner = with_crc({7, 6, 0x21, 0x35, 0, 0x0F});
     numbers const request = request_around(inner);
+    unsigned const count = 2'000 / rtuwire::test::one_in(8);
     for (char const* const faults : {"request-split=100%:20ms", "request-lumps=100%:4ms"}) {
         unsigned cut = 0;
-        piecewise const all = passed(faults, 5, request, 2'000);
+        piecewise const all = passed(faults, 5, request, count);
         for (std::vector<numbers> const& pieces : all.pieces) {
             REQUIRE(joined(pieces, 0, pieces.size()) == request);
             cut += pieces.size() > 1 ? 1U : 0U;
@@ -381,8 +386,8 @@ TEST_CASE("no pieces of a request are the request that its data hold")
             }
         }
         INFO(faults << ": " << cut);
-        CHECK(cut == 2'000); // it is cut still
-        CHECK(all.told == passed(faults, 5, request, 2'000).told);
+        CHECK(cut == count); // it is cut still
+        CHECK(all.told == passed(faults, 5, request, count).told);
     }
 }
 
