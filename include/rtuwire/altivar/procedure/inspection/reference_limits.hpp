@@ -84,6 +84,12 @@ struct reference_limits {
         return least;
     }
 
+    /// The word of a reference, with its sign in the drive's steps, too.
+    [[nodiscard, gnu::noinline]] constexpr std::uint16_t signed_for_drive(reference_write what) const noexcept
+    {
+        return what.at_least(least_speed()).word;
+    }
+
     /// Takes what a hertz is in rpm: FRS and NSP give the pairs of poles, as the drive counts them; without FRS (0) it is
     /// SDS. False where the drive does not tell: NSP or SDS is 0, or there are more pairs of poles than any motor has.
     constexpr bool note_scale(std::uint16_t frs, std::uint16_t speed) noexcept

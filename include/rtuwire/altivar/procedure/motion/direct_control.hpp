@@ -102,10 +102,13 @@ public:
 class direct_start_procedure : public order_procedure {
 public:
     constexpr direct_start_procedure(reference_write reference, supervision_procedure const& check) noexcept
-        : order_procedure{device::layout, check}, reference_{reference}
+        : order_procedure{device::layout, reference}, check_{check}
     {}
 
-    [[nodiscard]] constexpr direct_start_procedure anew() const noexcept { return {reference_, check_anew()}; }
+    [[nodiscard]] constexpr direct_start_procedure anew() const noexcept { return {wanted(), check_.anew()}; }
+
+    [[nodiscard]] constexpr supervision_report const& report() const noexcept { return check_.report(); }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return check_.drive_timeout(); }
 
     constexpr action step(event what) noexcept
     {
@@ -113,7 +116,7 @@ public:
             return come_to_rest(what);
         }
         if (stage_ == stage::examining and what.what() != event::kind::late) {
-            return clear_behind(examine(what, reference_, true), what.word());
+            return clear_behind(examine(check_, what, true), what.word());
         }
         switch (what.what()) {
         case event::kind::begun: note_ordered(what.word() != 0); return read(stage::meeting, layout().eta);
@@ -172,26 +175,26 @@ private:
         if (found == outcome_kind::stop_key) {
             return abort(found);
         }
-        return clear_behind(examine({event::kind::begun}, reference_, true), what.word());
+        return clear_behind(examine(check_, {event::kind::begun}, true), what.word());
     }
 
     /// `status` is a status word once the check has ended.
     constexpr action clear_behind(action next, std::uint16_t status) noexcept
     {
-        if (not is_ready()) {
+        if (not is_ready(check_)) {
             return next;
         }
         stage_ = stage::looking;
-        reference_.word = signed_for_drive(reference_);
+        told_ = report().limits.signed_for_drive(wanted());
         return judge(as_met(status));
     }
 
     constexpr action after_write() noexcept
     {
         switch (stage_) {
-        case stage::clearing: return write(stage::writing_reference, reference_.address, reference_.word);
+        case stage::clearing: return write(stage::writing_reference, wanted().address, told_);
         case stage::writing_reference:
-        case stage::running: return read(stage::reading_reference, reference_.address);
+        case stage::running: return read(stage::reading_reference, wanted().address);
         case stage::meeting:
         case stage::examining:
         case stage::looking:
@@ -209,8 +212,8 @@ private:
     {
         switch (stage_) {
         case stage::reading_reference:
-            return word == reference_.word ? read(may_run_ ? stage::confirming : stage::looking_again, layout().eta)
-                                           : abort(outcome_kind::not_taken);
+            return word == told_ ? read(may_run_ ? stage::confirming : stage::looking_again, layout().eta)
+                                 : abort(outcome_kind::not_taken);
         case stage::reading_command: return word == 0 ? run() : abort(outcome_kind::overwritten);
         case stage::reading_fault: return trip(word);
         case stage::meeting:
@@ -297,11 +300,12 @@ private:
         return take_back(kind, error, may_run_ ? stop_by::ramp : stop_by::freewheel);
     }
 
-    reference_write reference_;
+    std::uint16_t told_{wanted().word}; ///< as this drive has to be told it
     stage stage_{stage::meeting};
     int rank_{0}; ///< of the state that was read last, once the word to run was sent
     bool may_run_{false};
     bool was_late_{false};
+    supervision_procedure check_;
 };
 
 /// Starts a drive at rest by direct control, at 50_Hz or 1500_rpm; a negative reference is in reverse, so that one

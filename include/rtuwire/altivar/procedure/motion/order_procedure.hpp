@@ -16,7 +16,8 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
 
-/// The base of the procedures that order a drive to run. Each is a stop as well, which begins where the order is withdrawn.
+/// The base of the procedures that order a drive to run. Each is a stop as well, which begins where the order is withdrawn,
+/// and holds its check of the drive, behind all else: small processors reach what is near with short instructions.
 class order_procedure : public stop_procedure {
 public:
     static constexpr bool is_order = true;
@@ -25,41 +26,34 @@ public:
     /// The time to stop a drive that was commanded to run and must not.
     static constexpr duration grace{milliseconds(30'000)};
 
-    [[nodiscard]] constexpr supervision_report const& report() const noexcept { return check_.report(); }
     using procedure::give_up; // as an order, not as its stop
-    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return check_.drive_timeout(); }
 
 protected:
-    [[nodiscard]] constexpr supervision_procedure check_anew() const noexcept { return check_.anew(); }
-
-    constexpr order_procedure(drive_layout const& layout, supervision_procedure const& check) noexcept
-        : stop_procedure{layout, stop_by::freewheel}, check_{check}
+    constexpr order_procedure(drive_layout const& layout, reference_write wanted) noexcept
+        : stop_procedure{layout, stop_by::freewheel}, reference_{wanted}
     {}
+
+    [[nodiscard]] constexpr reference_write const& wanted() const noexcept { return reference_; }
 
     /// Continues the check. Where the drive is ready after it, the last word read was a status word. A motor at rest gets no
     /// reference that its limits forbid: that ends the order as soon as they are read.
-    constexpr action examine(event what, reference_write wanted, bool is_at_rest) noexcept
+    constexpr action examine(supervision_procedure& check, event what, bool is_at_rest) noexcept
     {
-        action const next = run_inside(check_, what);
-        outcome_kind const found = is_at_rest ? limits().judge(wanted, true) : outcome_kind::succeeded;
+        action const next = run_inside(check, what);
+        reference_limits const& limits = check.report().limits;
+        outcome_kind const found = is_at_rest ? limits.judge(reference_, true) : outcome_kind::succeeded;
         bool const goes_on = found == outcome_kind::succeeded or reason().kind != outcome_kind::pending;
-        return goes_on ? next : end_beyond(found, limits().named_by(found));
+        return goes_on ? next : end_beyond(found, limits.named_by(found));
     }
     /// Begins the check again, of a motor at rest.
-    constexpr action examine_anew(reference_write wanted) noexcept
+    constexpr action examine_anew(supervision_procedure& check) noexcept
     {
-        check_.restart();
-        return examine({event::kind::begun}, wanted, true);
+        check.restart();
+        return examine(check, {event::kind::begun}, true);
     }
-    [[nodiscard]] constexpr bool is_ready() const noexcept
+    [[nodiscard]] constexpr bool is_ready(supervision_procedure const& check) const noexcept
     {
-        return check_.reason().kind == outcome_kind::succeeded and reason().kind == outcome_kind::pending;
-    }
-    [[nodiscard]] constexpr reference_limits const& limits() const noexcept { return check_.report().limits; }
-    /// The word of a reference, with its sign in the drive's steps, too.
-    [[nodiscard, gnu::noinline]] constexpr std::uint16_t signed_for_drive(reference_write what) const noexcept
-    {
-        return what.at_least(limits().least_speed()).word;
+        return check.reason().kind == outcome_kind::succeeded and reason().kind == outcome_kind::pending;
     }
 
     /// Whether the STOP key was pressed since the status read before. A drive that was stopped by the key earlier shows
@@ -123,7 +117,7 @@ protected:
     }
 
 private:
-    supervision_procedure check_;
+    reference_write reference_;
     std::uint16_t fault_{0};
     outcome_kind kind_{outcome_kind::pending};
     errc error_{errc::none};

@@ -25,9 +25,9 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
 
-/// Where a start is.
+/// Where a start is; in a word, which small processors reach where they do not reach a byte.
 /// Internal.
-enum class start_stage : std::uint8_t {
+enum class start_stage : std::uint32_t {
     meeting,   ///< the first status read
     examining, ///< the check whether it may be ordered
     enabling,
@@ -156,17 +156,19 @@ class start_procedure : public order_procedure {
 public:
     constexpr start_procedure(drive_layout const& layout, reference_write reference, run_direction direction,
                               supervision_procedure const& check) noexcept
-        : order_procedure{layout, check}, reference_{direction == run_direction::reverse ? reference.reversed()
-                                                                                         : reference},
-          is_contradictory_{direction == run_direction::reverse and reference.is_reverse()}
+        : order_procedure{layout, direction == run_direction::reverse ? reference.reversed() : reference},
+          is_contradictory_{direction == run_direction::reverse and reference.is_reverse()}, check_{check}
     {}
 
     [[nodiscard]] constexpr start_procedure anew() const noexcept
     {
-        start_procedure same{layout(), reference_, run_direction::forward, check_anew()}; // it has its sign already
+        start_procedure same{layout(), wanted(), run_direction::forward, check_.anew()}; // it has its sign already
         same.is_contradictory_ = is_contradictory_;
         return same;
     }
+
+    [[nodiscard]] constexpr supervision_report const& report() const noexcept { return check_.report(); }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return check_.drive_timeout(); }
 
     constexpr action step(event what) noexcept
     {
@@ -177,7 +179,7 @@ public:
             return end(outcome_kind::contradictory);
         }
         if (stage_ == stage::examining and what.what() != event::kind::late) {
-            return next_step_after_check(examine(what, reference_, is_at_rest()), what.word());
+            return next_step_after_check(examine(check_, what, is_at_rest()), what.word());
         }
         switch (what.what()) {
         case event::kind::begun: note_ordered(what.word() != 0); return to_read(layout().eta);
@@ -196,6 +198,8 @@ public:
     }
 
 private:
+    constexpr reference_limits const& limits() const noexcept { return report().limits; }
+
     constexpr action read_status() noexcept { return once(to_read(layout().eta)); }
 
     /// An earlier stop by the STOP key is shown until the drive runs, so it counts only where this client had the motor
@@ -212,7 +216,7 @@ private:
             static_cast<void>(note(what.word()));
             return abort(found);
         }
-        return next_step_after_check(examine({event::kind::begun}, reference_, is_at_rest()), what.word());
+        return next_step_after_check(examine(check_, {event::kind::begun}, is_at_rest()), what.word());
     }
 
     /// Whether the motor did not turn when the drive was met; in a quick stop it is about to stand.
@@ -221,7 +225,7 @@ private:
     /// `status` is a status word once the check has ended.
     constexpr action next_step_after_check(action next, std::uint16_t status) noexcept
     {
-        if (not is_ready()) {
+        if (not is_ready(check_)) {
             return what_of(next) == action_kind::end ? abort(reason().kind, reason().error) : next;
         }
         stage_ = stage::enabling;
@@ -292,7 +296,7 @@ private:
         if (not is_ready or next != cia402::command::enable_operation) {
             return send_command(next, 0);
         }
-        told_.word = signed_for_drive(reference_);
+        told_.word = limits().signed_for_drive(wanted());
         return write_reference(stage::writing_reference);
     }
 
@@ -358,13 +362,13 @@ private:
     constexpr action run(std::uint16_t status) noexcept
     {
         if (stage_ != stage::enabled) {
-            told_.word = reference_.keeping(status).word;
+            told_.word = wanted().keeping(status).word;
             shown_ = outcome_kind::pending;
             stage_ = stage::reading_direction;
             return once(to_read(layout().cmd));
         }
         bool const shows_limit = (status & reference_limited_bit) != 0;
-        bool const is_other = shows_limit or limits().is_guessed(told_, reference_);
+        bool const is_other = shows_limit or limits().is_guessed(told_, wanted());
         shown_ = is_other ? outcome_kind::reference_limited : outcome_kind::succeeded;
         kept_ = limits();
         bool const is_known = kept_.highest != reference_limits::unread or layout().hsp == 0;
@@ -386,7 +390,7 @@ private:
             return abort(outcome_kind::overwritten);
         }
         control_ = control;
-        told_.word = signed_for_drive(told_.under(control));
+        told_.word = limits().signed_for_drive(told_.under(control));
         if (limits().judge(told_, false) == outcome_kind::succeeded) {
             return write_reference(stage::redirecting);
         }
@@ -437,8 +441,8 @@ private:
         sent_.forget_unless_taken();
         if (not sent_.may_run() and is_at_rest()) {
             stage_ = stage::examining;
-            action const next = examine_anew(reference_);
-            if (not is_ready()) {
+            action const next = examine_anew(check_);
+            if (not is_ready(check_)) {
                 return next;
             }
         }
@@ -465,8 +469,7 @@ private:
         return take_back(kind, error, may_run ? stop_by::ramp : stop_by::freewheel);
     }
 
-    reference_write reference_;
-    reference_write told_{reference_};          ///< as this drive has to be told it
+    reference_write told_{wanted()};            ///< as this drive has to be told it
     std::uint16_t control_{0};                  ///< the control word that it has to hold
     reference_limits kept_{};                   ///< of a drive that limits the reference
     outcome_kind shown_{outcome_kind::pending}; ///< by its status, once it runs as ordered
@@ -475,6 +478,7 @@ private:
     sent_commands sent_{};
     bool has_tried_{false}; ///< the command to run was due
     bool is_contradictory_;
+    supervision_procedure check_;
 };
 
 /// Starts a drive at a reference. `station`, then 1500_rpm or 50_Hz, then the direction; a negative reference is in
