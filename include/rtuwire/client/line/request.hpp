@@ -117,12 +117,8 @@ public:
             in.bytes[i] = frame[i];
         } while (i != 0);
         size_ = static_cast<std::uint16_t>(frame.size());
-        unit_ = to_u8(frame[0]);
         return errc::none;
     }
-
-    /// Its unit; 0 for a broadcast.
-    [[nodiscard]] constexpr std::uint8_t unit() const noexcept { return unit_; }
 
     template <typename Memory> [[nodiscard]] constexpr byte_view bytes(Memory const& in) const noexcept
     {
@@ -145,7 +141,6 @@ public:
 private:
     std::uint16_t size_{0};
     length_hint longest_{}; ///< of its responses; stored, which saves 57 instructions of a read
-    std::uint8_t unit_{0};
 };
 
 /// Compares the received bytes with the bytes of one transmission, in their order, and keeps what the transmissions before
@@ -272,8 +267,8 @@ public:
     /// A new request; one that may not be repeated gets a single attempt.
     constexpr void begin(retry_policy const& with, bool may_repeat) noexcept
     {
-        retries_ = may_repeat ? with.retries : std::uint8_t{0};
-        busy_retries_ = may_repeat ? with.busy_retries : std::uint8_t{0};
+        retries_ = may_repeat ? with.retries : std::uint16_t{0};
+        busy_retries_ = may_repeat ? with.busy_retries : std::uint16_t{0};
         failures_ = 0;
         pauses_ = 0;
         unanswered_ = 0;
@@ -286,7 +281,7 @@ public:
     constexpr bool take_retry() noexcept
     {
         bool const is_left = failures_ < retries_;
-        failures_ = static_cast<std::uint8_t>(failures_ + (is_left ? 1 : 0));
+        failures_ = static_cast<std::uint16_t>(failures_ + (is_left ? 1 : 0));
         return is_left;
     }
 
@@ -369,17 +364,18 @@ public:
 private:
     static constexpr duration shorter(duration one, duration other) noexcept { return one < other ? one : other; }
 
-    std::uint8_t retries_{0};
-    std::uint8_t busy_retries_{0};
-    std::uint8_t failures_{0};
-    std::uint8_t pauses_{0};
+    // Not of one byte: small processors reach two where they do not reach one.
+    std::uint16_t retries_{0};
+    std::uint16_t busy_retries_{0};
+    std::uint16_t failures_{0};
+    std::uint16_t pauses_{0};
+    std::uint16_t unanswered_{0};
     duration response_timeout_{};
     duration busy_pause_{}; ///< the next one
     duration pause_{};
     instant first_sent_{0};
     instant owed_until_{0};
-    duration longest_{};          ///< what the time limits leave from the first of the unanswered sendings on
-    std::uint16_t unanswered_{0}; ///< at the end, so that no bytes are left before its holder's next member
+    duration longest_{}; ///< what the time limits leave from the first of the unanswered sendings on
 };
 
 /// Stands for all units, in the place of a unit's address. No other unit has it: a reserved one is kept apart from none.
@@ -388,7 +384,7 @@ inline constexpr std::uint8_t any_unit = 0xFF;
 /// One unit (0: none), and until when it gets no new request.
 struct quarantine_entry {
     instant end;
-    std::uint8_t unit;
+    std::uint32_t unit; ///< small processors reach a word where they do not reach a byte
 };
 
 /// The places of several units, and how many are in use: nobody looks at the others. The only place of one counts as used, and

@@ -191,7 +191,7 @@ public:
         return is_under_way(phase_) and phase_ > phase::handed_out;
     }
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
-    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return request_.unit(); }
+    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return unit_; }
     /// Whom its outcome concerns: where a unit answers at address 0, any.
     [[nodiscard]] constexpr std::uint8_t held_unit() const noexcept { return at_0_.has_response() ? any_unit : unit(); }
     [[nodiscard]] constexpr duration time_to_send() const noexcept { return request_.time_to_send(line()); }
@@ -226,6 +226,7 @@ public:
         if (errc const wrong = request_.keep(asked.frame(), framer_, memory_); wrong != errc::none) {
             return wrong;
         }
+        unit_ = to_u8(asked.frame()[0]);
         may_not_wait_ = not asked.may_be_repeated();
         is_woken_ = false;
         retries_.begin(with, asked.may_be_repeated() and not is_broadcast());
@@ -318,7 +319,7 @@ public:
 private:
     // The request.
 
-    constexpr std::uint8_t unit() const noexcept { return request_.unit(); }
+    constexpr std::uint8_t unit() const noexcept { return unit_; }
     /// Whether no unit answers it.
     constexpr bool is_broadcast() const noexcept { return unit() == 0 and not at_0_.has_response(); }
     constexpr byte_view request() const noexcept { return request_.bytes(memory_); }
@@ -709,11 +710,12 @@ private:
     errc error_{errc::none};
     bool is_woken_{false};     ///< the next pass has something to do at once
     bool may_not_wait_{false}; ///< bytes on the line end the request once it is ready
+    std::uint8_t unit_{0};     ///< of the last request; 0 for a broadcast
+    [[no_unique_address]] kept_request<Functions> request_;
     [[no_unique_address]] line_echo echo_;
     [[no_unique_address]] noise_allowance<Options> noise_{};
     [[no_unique_address]] address_0<Needs.has_only_unit> at_0_;
     [[no_unique_address]] retry_state retries_;
-    [[no_unique_address]] kept_request<Functions> request_;
     instant deadline_{0};
     [[no_unique_address]] quarantine<Needs.quarantine_places> quarantine_{};
     [[no_unique_address]] Options options_{};
