@@ -184,7 +184,7 @@ struct unit_order {
     }
 
     /// A stop has ended, and with it one that was given up. The hold lasts until `let_go_if_over`.
-    constexpr void end_stop(std::uint32_t stop, std::uint32_t given_up, std::uint32_t& count) noexcept
+    [[gnu::noinline]] constexpr void end_stop(std::uint32_t stop, std::uint32_t given_up, std::uint32_t& count) noexcept
     {
         if (holder != 0 and (holder == stop or holder == given_up)) {
             held = hold::is_over;

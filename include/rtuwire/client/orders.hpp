@@ -109,8 +109,9 @@ public:
         unit_order const& before = places_.of(who.whose_.byte());
         bool const is_lost = before.is_lost and is_older(who.seen_, before.last_stop);
         // An order given since the last visit may be older than what happened meanwhile.
-        bool const is_doubtful = (who.has_visited_ and has_happened(who.seen_, before)) or
-                                 (who.ordered_behind_ != 0 and has_happened(who.ordered_behind_, before));
+        bool const is_begun_anew = who.ordered_behind_ != 0; // and has not visited since
+        bool const is_doubtful = (who.has_visited_ or is_begun_anew) and
+                                 has_happened(is_begun_anew ? who.ordered_behind_ : who.seen_, before);
         who.ordered_behind_ = 0;
         who.was_stopped_ = who.was_stopped_ or is_doubtful;
         // One that visits for the first time has read nothing yet that this could have changed.

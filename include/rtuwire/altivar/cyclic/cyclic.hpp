@@ -525,7 +525,7 @@ private:
         constexpr drive_layout const& layout = Device::layout;
         if constexpr (may_have_io_profile(layout) and layout.safeguards.chcf != 0) {
             bool const is_due = not steps_.is_missed() and not steps_.is_lost() and
-                                look_.is_due(this->confirmed() == layout.cmd, this->was_confirmed() == layout.cmd);
+                                this->last_confirmed() == layout.cmd and look_.is_due(this->is_doubtful());
             bool const waits = is_due_ and steps_.intent(this->was_rearranged()) == detail::effect::stopping and
                                control().word_to_stop(true, layout) != 0;
             if (is_asking_) {

@@ -82,6 +82,12 @@ enum class action : std::uint64_t {};
 {
     return static_cast<detail::effect>(static_cast<unsigned>(of) >> 4U & 7U);
 }
+/// Whether its effect is `stopping`, by the one bit of that: no other effect has it.
+[[nodiscard]] constexpr bool does_stop(action of) noexcept
+{
+    static_assert(static_cast<unsigned>(detail::effect::stopping) == 4);
+    return (static_cast<unsigned>(of) & 0x40U) != 0;
+}
 [[nodiscard]] constexpr std::uint16_t address_of(action of) noexcept
 {
     return static_cast<std::uint16_t>(static_cast<std::uint32_t>(of) >> 16U);
@@ -198,10 +204,11 @@ public:
     [[nodiscard]] constexpr bool is_under_way() const noexcept { return at_ == stage::under_way; }
     /// Whether a word was sent: a look before the first one ends when its time is over.
     [[nodiscard]] constexpr bool has_said() const noexcept { return has_said_; }
-    /// Whether CHCF has to be read before the next word: it was read as the drive profile, and that `counts`, or does no more.
-    [[nodiscard]] constexpr bool is_due(bool counts, bool does_no_more) const noexcept
+    /// Whether CHCF, which was read as the drive profile, has to be read before the next word; `does_no_more`: that does not
+    /// count any more.
+    [[nodiscard]] constexpr bool is_due(bool does_no_more) const noexcept
     {
-        return at_ == stage::none and (does_no_more or (counts and not is_first()));
+        return at_ == stage::none and (does_no_more or not is_first());
     }
     /// Whether the next word may be another one than 0000.
     [[nodiscard]] constexpr bool allows_word(bool counts) const noexcept

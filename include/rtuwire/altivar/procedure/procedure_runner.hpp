@@ -90,8 +90,7 @@ public:
             return is_over ? end_look(0) : void();
         }
         bool const is_overtaken = kind_->follows_order and is_overruled() and not own().takes_back();
-        bool const gives_way =
-            kind_->gives_way_to_order and effect_of(action_) == detail::effect::stopping and is_unit_ordered();
+        bool const gives_way = kind_->gives_way_to_order and does_stop(action_) and is_unit_ordered();
         if (is_overtaken or gives_way) {
             return yield();
         }
@@ -149,7 +148,7 @@ public:
         if (is_looking()) {
             return request_frame{frame_, repetition::never};
         }
-        if (effect_of(action_) == detail::effect::stopping) {
+        if (does_stop(action_)) {
             if (own().is_harmful(word_of(action_), look_.allows_word(is_known()))) {
                 action_ = to_stop(address_of(action_), 0);
                 make_frame();
@@ -189,7 +188,7 @@ public:
             end_look(meaning_in(outcome, own().control_word()));
             return heed_loss();
         }
-        if (effect_of(action_) == detail::effect::stopping and outcome.error() != errc::cancelled) {
+        if (does_stop(action_) and outcome.error() != errc::cancelled) {
             look_.note_word(); // else it never left
         }
         go_on(event_of(outcome));
@@ -292,8 +291,8 @@ private:
     /// Whether the control word to send stops only a drive in its drive profile, and that has to be read.
     [[gnu::noinline]] constexpr bool has_to_look() const noexcept
     {
-        return effect_of(action_) == detail::effect::stopping and word_of(action_) != 0 and
-               look_.is_due(is_known(), was_known()) and own().may_have_io() and own().chcf() != 0;
+        return does_stop(action_) and word_of(action_) != 0 and is_its_word(last_confirmed()) and
+               look_.is_due(has_doubt()) and own().may_have_io() and own().chcf() != 0;
     }
     /// Whether the drive is known to take the words of all stops as such; whether it was, and may have lost its power since.
     constexpr bool is_known() const noexcept { return is_its_word(last_confirmed()) and not has_doubt(); }
@@ -321,7 +320,7 @@ private:
     {
         look_.end(is_its_word(meaning));
         note_meaning(meaning);
-        if (effect_of(action_) == detail::effect::stopping) {
+        if (does_stop(action_)) {
             return make_frame();
         }
         tell_known();
@@ -349,7 +348,7 @@ private:
         if (is_looking()) {
             return end_look(0);
         }
-        if (not settled() and effect_of(action_) != detail::effect::stopping) {
+        if (not settled() and not does_stop(action_)) {
             fail(errc::unit_lost);
         }
     }
