@@ -26,6 +26,17 @@ using byte_span = std::span<std::byte>;
 
 namespace detail {
 
+/// A value in a word of its own: with one short instruction a small processor reaches a word 124 bytes behind the start of an
+/// object, a byte only 31. For members that are used often and stand behind those.
+template <typename T> class in_word {
+public:
+    constexpr in_word(T value) noexcept : word_{static_cast<std::uint32_t>(value)} {}
+    [[nodiscard]] constexpr operator T() const noexcept { return static_cast<T>(word_); }
+
+private:
+    std::uint32_t word_;
+};
+
 /// The low eight bits of a value as a byte.
 [[nodiscard]] constexpr std::byte to_byte(std::uint32_t value) noexcept
 {

@@ -508,7 +508,7 @@ public:
     [[nodiscard]] constexpr duration limited(duration timeout) const noexcept
     {
         duration const rest = look_end_ - now_;
-        return has_limited_look() and rest < timeout ? rest : timeout;
+        return has_limited_look() ? detail::shorter_of(rest, timeout) : timeout;
     }
 
     /// Never: the cycle goes on as long as it is polled.

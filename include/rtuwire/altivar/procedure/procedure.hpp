@@ -202,8 +202,9 @@ public:
     }
 
     [[nodiscard]] constexpr bool is_under_way() const noexcept { return at_ == stage::under_way; }
-    /// Whether a word was sent: a look before the first one ends when its time is over.
+    /// Whether a word was sent; whether a look is under way that ends when its time is over, as one before the first word does.
     [[nodiscard]] constexpr bool has_said() const noexcept { return has_said_; }
+    [[nodiscard]] constexpr bool is_limited() const noexcept { return is_under_way() and not has_said_; }
     /// Whether CHCF, which was read as the drive profile, has to be read before the next word; `does_no_more`: that does not
     /// count any more.
     [[nodiscard]] constexpr bool is_due(bool does_no_more) const noexcept
@@ -222,8 +223,8 @@ private:
     constexpr bool is_first() const noexcept { return is_ordered_ and not has_said_; }
 
     stage at_{stage::none};
-    bool is_ordered_;
-    bool has_said_{false};
+    detail::in_word<bool> is_ordered_;
+    detail::in_word<bool> has_said_{false};
 };
 
 /// What a response to a read of CHCF shows: the address of the control word that has its usual meaning, `other_meaning`, or 0.

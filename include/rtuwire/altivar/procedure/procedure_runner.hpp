@@ -86,7 +86,8 @@ public:
             return;
         }
         if (is_looking()) {
-            bool const is_over = (has_length() and reached(at, pause_end_)) or (has_limit() and reached(now, late_at_));
+            bool const is_over = (look_.is_limited() and reached(at, pause_end_)) or
+                                 (left_ < time_left::none and reached(now, late_at_));
             return is_over ? end_look(0) : void();
         }
         bool const is_overtaken = kind_->follows_order and is_overruled() and not own().takes_back();
@@ -164,7 +165,7 @@ public:
     [[nodiscard]] constexpr duration limited(duration timeout) const noexcept
     {
         duration const rest = pause_end_ - now_;
-        return is_looking() and has_length() and rest < timeout ? rest : timeout;
+        return look_.is_limited() ? detail::shorter_of(rest, timeout) : timeout;
     }
 
     /// For the client: whether it stops its unit by the user's order; and whether such a stop has just found that the unit is
@@ -448,9 +449,9 @@ private:
     stage stage_{stage::made};
     time_left left_{time_left::enough};
     std::array<std::byte, 8> frame_{};
-    bool has_lost_{false};
-    bool is_other_family_{false};
-    bool counts_old_{false};
+    detail::in_word<bool> has_lost_{false};
+    detail::in_word<bool> is_other_family_{false};
+    detail::in_word<bool> counts_old_{false};
     stop_look look_;
 };
 

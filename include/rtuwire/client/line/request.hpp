@@ -333,7 +333,7 @@ public:
     /// times that lie ahead, nor longer than for all sendings together, whatever the clock shows.
     [[nodiscard]] constexpr instant owed_until(instant now) const noexcept
     {
-        return reached(now, owed_until_) ? now : now + shorter(owed_until_ - now, longest_);
+        return reached(now, owed_until_) ? now : now + shorter_of(owed_until_ - now, longest_);
     }
 
     /// A response to one of the sendings has come, whole or damaged.
@@ -343,7 +343,7 @@ public:
     /// as the first may have taken, plus `late`. A program that was stopped meanwhile counts no longer than its request may take.
     [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
     {
-        duration const each = shorter(now - first_sent_, longest_) + late;
+        duration const each = shorter_of(now - first_sent_, longest_) + late;
         duration length = pause_;
         for (unsigned i = 0; i < unanswered_; ++i) {
             length = length + each;
@@ -362,8 +362,6 @@ public:
     [[nodiscard]] constexpr duration pause() const noexcept { return pause_; }
 
 private:
-    static constexpr duration shorter(duration one, duration other) noexcept { return one < other ? one : other; }
-
     // Not of one byte: small processors reach two where they do not reach one.
     std::uint16_t retries_{0};
     std::uint16_t busy_retries_{0};

@@ -68,7 +68,7 @@ public:
     {
         ++misses_;
         bool const is_final = is_exception(error) or error == errc::unit_lost or error == errc::too_many_ordered;
-        return is_final or not is_any_ or misses_ > (may_run_ ? 1 : 3);
+        return is_final or not is_any_ or misses_ > (may_run_ ? 1U : 3U);
     }
 
     [[nodiscard]] constexpr cia402::command last() const noexcept { return last_; }
@@ -91,7 +91,7 @@ private:
     bool is_any_{false};
     bool is_taken_{false};
     bool may_run_{false};
-    std::uint8_t misses_{0};
+    std::uint32_t misses_{0};
 };
 
 /// Decides a start, word by word. "Undo" withdraws the commands, by 0000 where the motor cannot turn yet and on the
@@ -476,8 +476,8 @@ private:
     cia402::state last_{cia402::state::unknown};
     stage stage_{stage::meeting};
     sent_commands sent_{};
-    bool has_tried_{false}; ///< the command to run was due
-    bool is_contradictory_;
+    detail::in_word<bool> has_tried_{false}; ///< the command to run was due
+    detail::in_word<bool> is_contradictory_;
     supervision_procedure check_;
 };
 
