@@ -164,8 +164,8 @@ private:
     constexpr action meet(event what) noexcept
     {
         stage_ = stage::examining;
-        outcome_kind const found = first_look(what.word());
         cia402::state const at = note(what.word());
+        outcome_kind const found = first_look(what.word(), at);
         if (found == outcome_kind::in_fault) {
             return judge(what.word());
         }

@@ -72,11 +72,10 @@ protected:
 
     /// The first status read: what ends the order before the check. The drive may leave such a state during the check, at the
     /// drive or by its mains, and the motor would start by that.
-    constexpr outcome_kind first_look(std::uint16_t status) noexcept
+    constexpr outcome_kind first_look(std::uint16_t status, cia402::state at) noexcept
     {
         is_local_ = (status & remote_bit) == 0;
         bool const is_pressed = is_key_pressed(status) and was_ordered_;
-        cia402::state const at = cia402::decode(status);
         return cia402::is_in_fault(at)                                 ? outcome_kind::in_fault
                : is_pressed and at != cia402::state::operation_enabled ? outcome_kind::stop_key
                                                                        : outcome_kind::pending;

@@ -179,7 +179,7 @@ public:
             return end(outcome_kind::contradictory);
         }
         if (stage_ == stage::examining and what.what() != event::kind::late) {
-            return next_step_after_check(examine(check_, what, is_at_rest()), what.word());
+            return go_on_checking(what.word(), what);
         }
         switch (what.what()) {
         case event::kind::begun: note_ordered(what.word() != 0); return to_read(layout().eta);
@@ -208,7 +208,7 @@ private:
     {
         stage_ = stage::examining;
         last_ = cia402::decode(what.word());
-        outcome_kind const found = first_look(what.word());
+        outcome_kind const found = first_look(what.word(), last_);
         if (found == outcome_kind::in_fault) {
             return judge(what.word());
         }
@@ -216,15 +216,16 @@ private:
             static_cast<void>(note(what.word()));
             return abort(found);
         }
-        return next_step_after_check(examine(check_, {event::kind::begun}, is_at_rest()), what.word());
+        return go_on_checking(what.word(), {event::kind::begun});
     }
 
     /// Whether the motor did not turn when the drive was met; in a quick stop it is about to stand.
     constexpr bool is_at_rest() const noexcept { return last_ != cia402::state::operation_enabled; }
 
     /// `status` is a status word once the check has ended.
-    constexpr action next_step_after_check(action next, std::uint16_t status) noexcept
+    [[gnu::noinline]] constexpr action go_on_checking(std::uint16_t status, event what) noexcept
     {
+        action const next = examine(check_, what, is_at_rest());
         if (not is_ready(check_)) {
             return what_of(next) == action_kind::end ? abort(reason().kind, reason().error) : next;
         }
@@ -390,7 +391,8 @@ private:
             return abort(outcome_kind::overwritten);
         }
         control_ = control;
-        told_.word = limits().signed_for_drive(told_.under(control));
+        told_.word = told_.under(control).word;
+        told_.word = limits().signed_for_drive(told_);
         if (limits().judge(told_, false) == outcome_kind::succeeded) {
             return write_reference(stage::redirecting);
         }

@@ -255,7 +255,8 @@ private:
     constexpr action on_response(event what) noexcept
     {
         switch (asked_) {
-        case asked::status: return judge(what);
+        case asked::status:
+            return has_fault_before() ? judge(what.second(), what.word()) : judge(what.word(), what.second());
         case asked::fault: return end_in_fault(what.word());
         case asked::control: return halt(what.word());
         case asked::frequency:
@@ -264,9 +265,9 @@ private:
         return measure(what.word());
     }
 
-    constexpr action judge(event what) noexcept
+    /// `neighbour` is the word that was read with it.
+    constexpr action judge(std::uint16_t status, std::uint16_t neighbour) noexcept
     {
-        std::uint16_t const status = status_in(what);
         cia402::state const at = cia402::decode(status);
         bool const is_remote = (status & remote_bit) != 0;
         bool const is_running = at == cia402::state::operation_enabled or at == cia402::state::quick_stop_active;
@@ -276,7 +277,7 @@ private:
         static_cast<void>(note(status));
         is_seen_ = true;
         if (cia402::is_in_fault(at)) {
-            return has_fault_before() ? end_in_fault(what.word()) : ask(asked::fault, to_read(layout().lft));
+            return has_fault_before() ? end_in_fault(neighbour) : ask(asked::fault, to_read(layout().lft));
         }
         if (at == cia402::state::switch_on_disabled or at == cia402::state::not_ready_to_switch_on) {
             return end(outcome_kind::succeeded);
@@ -285,7 +286,7 @@ private:
             return end(outcome_kind::local_control);
         }
         if (cia402::has_power(at)) {
-            return has_frequency_behind() ? measure(what.second()) : ask(asked::frequency, to_read(layout().rfr));
+            return has_frequency_behind() ? measure(neighbour) : ask(asked::frequency, to_read(layout().rfr));
         }
         return at == cia402::state::unknown ? become_ramp_and_go_on() : leave_ready();
     }
