@@ -375,10 +375,10 @@ public:
     }
     [[nodiscard]] constexpr unit_order& others() noexcept { return others_; }
 
-    /// Whether the unit neither has a place nor can get one.
-    [[nodiscard]] constexpr bool is_full_for(std::uint8_t unit) const noexcept
+    /// Whether a unit, whose entry this is, neither has a place nor can get one.
+    [[nodiscard]] constexpr bool is_full_for(unit_order const& entry) const noexcept
     {
-        return find(unit) == nullptr and free_place() == Units;
+        return &entry == &others_ and free_place() == Units;
     }
 
     /// The unit's place, or a new one; null where there is none.
@@ -392,11 +392,12 @@ public:
             return nullptr;
         }
         used_.set(Units - at > used_.count() ? Units - at : used_.count());
-        forget(places_[at]);
-        places_[at] = others_;
-        places_[at].unit = unit;
-        places_[at].held = others_.held == hold::by_its_stop ? hold::by_another_stop : others_.held;
-        return &places_[at];
+        unit_order& own = places_[at];
+        forget(own);
+        own = others_;
+        own.unit = unit;
+        own.held = others_.held == hold::by_its_stop ? hold::by_another_stop : others_.held;
+        return &own;
     }
 
     /// The same, or the entry of all units without a place.

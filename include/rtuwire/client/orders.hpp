@@ -164,7 +164,7 @@ public:
         if (who.was_rearranged_) {
             return errc::overruled;
         }
-        return places_.is_full_for(who.whose_.byte()) ? errc::too_many_ordered : errc::none;
+        return places_.is_full_for(own) ? errc::too_many_ordered : errc::none;
     }
 
     /// Whether another stop, or a later one, overrules this commander of the unit.
@@ -295,7 +295,9 @@ public:
             return;
         }
         bool const is_answered = error == errc::none or is_exception(error);
-        own->is_doubtful = own->is_doubtful or was_repeated or not is_answered;
+        if (was_repeated or not is_answered) {
+            own->is_doubtful = true;
+        }
         if (is_answered) {
             if (was_repeated) { // an earlier sending may not have reached it
                 heed_gap(*own, now, false);
@@ -332,9 +334,8 @@ public:
     [[nodiscard]] constexpr bool is_silent(std::uint8_t unit, effect what) const noexcept
     {
         for (unit_order const& each : places_) {
-            bool const is_meant = each.is_lost and (each.unit == unit or unit == 0);
             bool const may_be_told = what == effect::stopping and (unit == 0 or each.words != stop_words::none);
-            if (is_meant and not may_be_told) {
+            if (each.is_lost and not may_be_told and (each.unit == unit or unit == 0)) {
                 return true;
             }
         }
