@@ -12,8 +12,8 @@ namespace rtuwire::test::client_table {
 inline constexpr std::size_t inputs = 10;
 inline constexpr std::array<char const*, inputs> input_names{"visits", "transmit", "sent",    "bytes",     "response",
                                                              "busy",   "damaged",  "advance", "time_over", "cancel"};
-inline constexpr std::array<char const*, 9> phases{"idle",     "waiting", "ready",      "handed_out", "transmitting",
-                                                   "awaiting", "pausing", "turnaround", "settled"};
+inline constexpr std::array<char const*, 9> phases{"idle",         "settled",  "waiting", "ready",     "handed_out",
+                                                   "transmitting", "awaiting", "pausing", "turnaround"};
 
 /// As in the header; without the names of the inputs, and without the phase that this request does not reach.
 inline constexpr char const* of_several_sendings = R"(

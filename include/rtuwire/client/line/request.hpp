@@ -47,6 +47,7 @@ namespace detail {
 /// What ends each phase of a client.
 enum class client_phase : std::uint8_t {
     idle,         ///< a conversation's request -> waiting
+    settled,      ///< its asker takes the outcome or has given it up, or the next in turn finds it missing -> idle
     waiting,      ///< t3.5 of silence, and its asker visits -> ready; not in time -> settled (bus_jam)
     ready,        ///< poll_transmit -> handed_out; bytes -> waiting, or settled where the request
                   ///< may not wait; too late -> settled
@@ -57,7 +58,6 @@ enum class client_phase : std::uint8_t {
                   ///< exception 05 or 06 -> pausing, or settled
     pausing,      ///< time over -> waiting
     turnaround,   ///< time over -> settled
-    settled,      ///< its asker takes the outcome or has given it up, or the next in turn finds it missing -> idle
 };
 
 /// The phase of a client. That of a copy, which nobody has asked: what was ready does not leave.
@@ -80,9 +80,9 @@ private:
 };
 
 /// Whether a request is between its start and its outcome.
-[[nodiscard]] constexpr bool is_under_way(client_phase at) noexcept
+[[nodiscard, gnu::always_inline]] constexpr bool is_under_way(client_phase at) noexcept
 {
-    return at != client_phase::idle and at != client_phase::settled;
+    return at > client_phase::settled;
 }
 
 /// Whether the request is with the transmitter.

@@ -186,10 +186,7 @@ public:
     }
 
     [[nodiscard]] constexpr bool is_busy() const noexcept { return phase_ != phase::idle; }
-    [[nodiscard]] constexpr bool has_left() const noexcept
-    {
-        return is_under_way(phase_) and phase_ > phase::handed_out;
-    }
+    [[nodiscard]] constexpr bool has_left() const noexcept { return phase_ > phase::handed_out; }
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
     [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return unit_; }
     /// Whom its outcome concerns: where a unit answers at address 0, any.
