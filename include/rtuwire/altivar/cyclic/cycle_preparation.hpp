@@ -48,10 +48,7 @@ public:
     [[nodiscard]] constexpr read_holding_registers request() noexcept
     {
         if (not is_begun_) {
-            is_begun_ = true;
-            stage_ = words::has_scanner ? stage::inputs : stage::safeguards;
-            holds_words_ = true;
-            check_ = supervision_procedure{Device::layout, options_, words::is_by_speed};
+            begin();
             action_ = check_.step({event::kind::begun});
         }
         switch (stage_) {
@@ -84,6 +81,15 @@ public:
 
 private:
     enum class stage : std::uint8_t { inputs, outputs, safeguards };
+
+    /// Not inlined: what it makes on the stack is gone before the check's first step.
+    [[gnu::noinline]] constexpr void begin() noexcept
+    {
+        is_begun_ = true;
+        stage_ = words::has_scanner ? stage::inputs : stage::safeguards;
+        holds_words_ = true;
+        check_ = supervision_procedure{Device::layout, options_, words::is_by_speed};
+    }
 
     constexpr void examine(event what) noexcept
     {

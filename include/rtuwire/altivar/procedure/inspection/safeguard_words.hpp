@@ -67,7 +67,7 @@ enum class safeguard : std::uint8_t {
 class safeguard_words {
 public:
     constexpr safeguard_words(std::uint16_t run_inputs, bool has_limits, bool is_by_speed) noexcept
-        : run_inputs_{run_inputs}, has_limits_{has_limits}, is_by_speed_{is_by_speed}
+        : has_limits_{has_limits}, is_by_speed_{is_by_speed}, run_inputs_{run_inputs}
     {}
 
     /// The register to read; 0 where the drive has none.
@@ -186,15 +186,15 @@ private:
         return unless(not asks_to_run, outcome_kind::run_input_closed);
     }
 
-    std::uint16_t run_inputs_;
-    std::uint16_t mode_{0};
-    std::uint16_t rated_{0};   ///< FRS
-    std::uint16_t timeout_{0}; ///< TTO
     bool has_limits_;
     bool is_by_speed_;
     bool is_watched_{true};
     bool stops_on_ramp_{false};
     bool is_three_wire_{false};
+    std::uint16_t run_inputs_;
+    std::uint16_t mode_{0};
+    std::uint16_t rated_{0};   ///< FRS
+    std::uint16_t timeout_{0}; ///< TTO
 };
 
 } // namespace altivar

@@ -41,10 +41,8 @@ public:
     /// `is_by_speed`: its report is to hold the limits of a speed, too.
     explicit constexpr supervision_procedure(drive_layout const& layout, supervision_options const& options = {},
                                              bool is_by_speed = true) noexcept
-        : procedure{layout}, is_by_speed_{is_by_speed}, options_{options}, words_{options.run_inputs,
-                                                                                  options.beyond ==
-                                                                                      beyond_limits::refuse,
-                                                                                  is_by_speed}
+        : procedure{layout}, is_by_speed_{is_by_speed},
+          words_{options.run_inputs, options.beyond == beyond_limits::refuse, is_by_speed}, options_{options}
     {
         report_.period.longest_gap = options.longest_gap;
     }
@@ -52,7 +50,7 @@ public:
     /// Takes the result of an earlier check, without its limits where they are not to refuse a reference.
     constexpr supervision_procedure(drive_layout const& layout, supervision_report const& found,
                                     beyond_limits beyond = beyond_limits::refuse) noexcept
-        : procedure{layout}, is_known_{true}, report_{found}, words_{0, false, false}
+        : procedure{layout}, is_known_{true}, words_{0, false, false}, report_{found}
     {
         report_.limits = beyond == beyond_limits::refuse ? found.limits : found.limits.without_frequencies();
     }
@@ -188,9 +186,9 @@ private:
     bool is_by_speed_{false};
     bool is_known_{false}; ///< an earlier check gave the report
     bool has_read_{false};
-    supervision_options options_{};
-    supervision_report report_{};
     safeguard_words words_;
+    supervision_report report_{};
+    supervision_options options_{};
 };
 
 /// Checks a drive before its first order: at most nine reads, and four of its limits. It ends as `succeeded` (`ready`), or with the reason
