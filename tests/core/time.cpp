@@ -68,4 +68,27 @@ STATIC_CHECK(earlier(late + milliseconds(10'000), late) == deadline{late});
 STATIC_CHECK(earlier({}, late) == deadline{late} and earlier(late, {}) == deadline{late});
 STATIC_CHECK(not earlier({}, {}).has_value());
 
+// What a processor without a division does: compared with a division, around each power of two and each multiple of it.
+constexpr bool divides_near(std::uint32_t number)
+{
+    bool is_right = true;
+    for (std::uint32_t const each : {number - 2, number - 1, number, number + 1, number + 2}) {
+        is_right = is_right and third_by_shifts(each) == each / 3;
+        for (std::uint32_t const by : {1U, 2U, 3U, 7U, 10U, 99U, 100U, 0x7FFF'FFFFU}) {
+            is_right = is_right and quotient_by_bits(each, by) == each / by;
+        }
+    }
+    return is_right;
+}
+constexpr bool divides()
+{
+    bool is_right = divides_near(0);
+    for (unsigned bit = 0; bit < 32; ++bit) {
+        std::uint32_t const power = std::uint32_t{1} << bit;
+        is_right = is_right and divides_near(power) and divides_near(power * 3) and divides_near(power * 100);
+    }
+    return is_right;
+}
+PROOF("thirds and quotients without a division are those of a division", divides)
+
 } // namespace

@@ -311,7 +311,7 @@ private:
     {
         if constexpr (detail::commanding_conversation<Conversation>) {
             bool const is_ordered = client_.motor_orders().is_ordered(conversation.unit().byte());
-            return is_ordered ? duration{conversation.drive_timeout().microseconds / 3 * 2} : duration{};
+            return is_ordered ? duration{detail::third_of(conversation.drive_timeout()).microseconds * 2} : duration{};
         } else {
             return {};
         }
@@ -457,8 +457,11 @@ private:
         constexpr std::uint32_t longest_rest = 600'000'000;
         constexpr std::uint32_t longest = 1'800'000'000;
         std::uint32_t const others = 100U - share_.silent_share;
-        std::uint32_t const part = cost.microseconds / share_.silent_share + 1;
-        std::uint32_t const rest = others == 0 or part <= longest_rest / others ? part * others : longest_rest;
+        std::uint32_t const part = detail::quotient(cost.microseconds, share_.silent_share) + 1;
+        std::uint32_t rest = 0;
+        for (std::uint32_t i = 0; i < others and rest < longest_rest; ++i) {
+            rest = part < longest_rest - rest ? rest + part : longest_rest;
+        }
         std::uint32_t const all = rest + (is_probe_limited_ ? (probe_at_ - asked_at_).microseconds : 0);
         probe_at_ = now + microseconds(all < longest ? all : longest);
         is_probe_limited_ = true;

@@ -138,6 +138,54 @@ template <std::uint32_t Size, std::integral Count> [[nodiscard]] constexpr durat
 
 } // namespace detail
 
+namespace detail {
+
+#if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV)
+#define RTUWIRE_DIVIDES_BY_LIBRARY 1
+#else
+#define RTUWIRE_DIVIDES_BY_LIBRARY 0
+#endif
+/// Whether this processor has no division, so that 270 bytes of a library do it: a Cortex-M0+.
+inline constexpr bool divides_by_library = RTUWIRE_DIVIDES_BY_LIBRARY == 1;
+#undef RTUWIRE_DIVIDES_BY_LIBRARY
+
+/// A quotient, rounded down, as one finds it on paper. `by` is not 0, and below half of what a number can be.
+[[nodiscard]] constexpr std::uint32_t quotient_by_bits(std::uint32_t number, std::uint32_t by) noexcept
+{
+    std::uint32_t found = 0, rest = 0;
+    for (unsigned bit = 32; bit-- > 0;) {
+        rest = rest << 1U | (number >> bit & 1U);
+        found <<= 1U;
+        if (rest >= by) {
+            rest -= by;
+            found |= 1U;
+        }
+    }
+    return found;
+}
+
+/// The third of a number, rounded down: 1/4 + 1/16 + 1/64 and so on, and the third of what that lacks.
+[[nodiscard]] constexpr std::uint32_t third_by_shifts(std::uint32_t number) noexcept
+{
+    std::uint32_t third = (number >> 2U) + (number >> 4U);
+    third += third >> 4U;
+    third += third >> 8U;
+    third += third >> 16U;
+    return third + ((number - 3U * third) * 11U >> 5U); // it lacks less than 16
+}
+
+/// The same, by the processor's division where it has one.
+[[nodiscard]] constexpr std::uint32_t quotient(std::uint32_t number, std::uint32_t by) noexcept
+{
+    return divides_by_library ? quotient_by_bits(number, by) : number / by;
+}
+[[nodiscard]] constexpr duration third_of(duration all) noexcept
+{
+    return duration{divides_by_library ? third_by_shifts(all.microseconds) : all.microseconds / 3U};
+}
+
+} // namespace detail
+
 /// `count` microseconds, 0 to `longest_duration`. A number outside does not compile in a constant expression,
 /// and becomes the nearest duration at run time.
 template <std::integral Count> [[nodiscard]] constexpr duration microseconds(Count count) noexcept

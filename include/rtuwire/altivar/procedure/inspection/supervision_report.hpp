@@ -42,7 +42,8 @@ struct period_rule {
     /// The longest period at which requests may go to a drive with this time-out; 0 where it has none.
     [[nodiscard]] constexpr duration longest_period() const noexcept
     {
-        return duration{timeout.microseconds / gaps_in_a_timeout};
+        static_assert(gaps_in_a_timeout == 3);
+        return detail::third_of(timeout);
     }
 
     friend constexpr bool operator==(period_rule const&, period_rule const&) noexcept = default;
