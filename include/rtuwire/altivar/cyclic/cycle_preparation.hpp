@@ -125,14 +125,15 @@ private:
         return is_right;
     }
 
-    supervision_options options_;
-    supervision_procedure check_;
-    supervision_report report_{};
+    // Small processors reach what is near with short instructions.
     action action_{to_pause({})};
     outcome_kind finding_{outcome_kind::pending};
     stage stage_{stage::safeguards};
     bool holds_words_{true}; ///< the scanner
     bool is_begun_{false};
+    supervision_options options_;
+    supervision_procedure check_;
+    supervision_report report_{};
 };
 
 } // namespace altivar

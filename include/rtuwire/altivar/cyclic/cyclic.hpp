@@ -57,8 +57,8 @@ template <drive_type Device> class cycle_steps {
 public:
     constexpr cycle_steps(unit_id its_unit, cyclic_options const& its_options) noexcept
         : agenda_{words::fits_function_23 and its_options.by_function_23 ? step::exchange : step::read},
-          preparation_{its_options.supervision}, period_{its_options.period},
-          wanted_period_{its_options.period}, frames_{its_unit}, tolerated_misses_{its_options.tolerated_misses}
+          period_{its_options.period}, wanted_period_{its_options.period}, frames_{its_unit},
+          tolerated_misses_{its_options.tolerated_misses}, preparation_{its_options.supervision}
     {}
 
     /// The user's orders. An order to run is accepted only for a drive that was checked, within the limits read then.
@@ -279,12 +279,12 @@ private:
     }
 
     cycle_agenda agenda_;
-    cycle_preparation<Device> preparation_;
     duration period_;
     duration wanted_period_;
     cycle_frames<Device> frames_;
     std::uint16_t meaning_{0}; ///< what was read of CHCF, until it is taken
     std::uint8_t tolerated_misses_;
+    cycle_preparation<Device> preparation_; ///< large, and so behind all else
 };
 
 /// A conversation without an end: give it to a client or a bus in each pass. Where the drive's time-out has passed since the
