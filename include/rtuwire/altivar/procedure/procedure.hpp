@@ -290,7 +290,11 @@ public:
     constexpr std::uint16_t take_meaning() noexcept { return std::exchange(read_meaning_, std::uint16_t{0}); }
     [[nodiscard]] constexpr std::uint16_t control_word() const noexcept { return layout_->cmd; }
     [[nodiscard]] constexpr std::uint16_t chcf() const noexcept { return layout_->safeguards.chcf; }
-    [[nodiscard]] constexpr bool may_have_io() const noexcept { return may_have_io_profile(*layout_); }
+    /// Whether CHCF tells whether its words stop it.
+    [[nodiscard]] constexpr bool tells_meaning() const noexcept
+    {
+        return may_have_io_profile(*layout_) and layout_->safeguards.chcf != 0;
+    }
     constexpr bool take_fault() noexcept { return take(has_read_fault_); }
 
     /// Whether the word of a stop may run the drive, which is not known to take the words of all stops as such: 0000 is sent

@@ -293,7 +293,7 @@ private:
     [[gnu::noinline]] constexpr bool has_to_look() const noexcept
     {
         return does_stop(action_) and word_of(action_) != 0 and is_its_word(last_confirmed()) and
-               look_.is_due(has_doubt()) and own().may_have_io() and own().chcf() != 0;
+               look_.is_due(has_doubt()) and own().tells_meaning();
     }
     /// Whether the drive is known to take the words of all stops as such; whether it was, and may have lost its power since.
     constexpr bool is_known() const noexcept { return is_its_word(last_confirmed()) and not has_doubt(); }
@@ -361,7 +361,7 @@ private:
     /// a one reads before.
     constexpr bool has_limit() const noexcept
     {
-        bool const reads = is_looking() or what_of(action_) == action_kind::read;
+        bool const reads = what_of(action_) == action_kind::read;
         return left_ < time_left::none and (reads or not has_to_say());
     }
 

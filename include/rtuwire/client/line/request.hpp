@@ -194,19 +194,19 @@ public:
     [[nodiscard]] constexpr bool is_known() const noexcept { return seen_ != 0; }
     /// Whether it has done so twice.
     [[nodiscard]] constexpr bool is_proven() const noexcept { return seen_ == twice; }
-    constexpr void note_seen() noexcept { seen_ = is_known() ? twice : std::uint8_t{1}; }
+    constexpr void note_seen() noexcept { seen_ = is_known() ? twice : std::uint16_t{1}; }
     /// What comes next decides again.
-    constexpr void doubt() noexcept { seen_ = is_known() ? std::uint8_t{1} : std::uint8_t{0}; }
+    constexpr void doubt() noexcept { seen_ = is_known() ? std::uint16_t{1} : std::uint16_t{0}; }
     constexpr void forget() noexcept { seen_ = 0; }
 
 private:
     static constexpr std::uint16_t in_front = 0xFFFD;
     static constexpr std::uint16_t suspected = 0xFFFE;
     static constexpr std::uint16_t whole = 0xFFFF;
-    static constexpr std::uint8_t twice = 2;
+    static constexpr std::uint16_t twice = 2;
 
     std::uint16_t next_{0}; ///< the next byte's number, from 1; 0 where none is expected
-    std::uint8_t seen_{0};
+    std::uint16_t seen_{0};
 };
 
 /// How many bytes of noise may still be skipped before a response; constant options that allow none take no memory.

@@ -418,7 +418,7 @@ private:
         if (stage_ == stage::writing_reference or stage_ == stage::redirecting) {
             return read_back();
         }
-        if (stage_ == stage::enabled and report().words == word_meaning::cia402 and may_have_io() and chcf() != 0) {
+        if (stage_ == stage::enabled and report().words == word_meaning::cia402 and tells_meaning()) {
             stage_ = stage::examining_profile;
             return once(to_read(chcf()));
         }
