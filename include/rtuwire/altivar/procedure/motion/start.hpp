@@ -223,7 +223,7 @@ private:
     constexpr bool is_at_rest() const noexcept { return last_ != cia402::state::operation_enabled; }
 
     /// `status` is a status word once the check has ended.
-    [[gnu::noinline]] constexpr action go_on_checking(std::uint16_t status, event what) noexcept
+    constexpr action go_on_checking(std::uint16_t status, event what) noexcept
     {
         action const next = examine(check_, what, is_at_rest());
         if (not is_ready(check_)) {
