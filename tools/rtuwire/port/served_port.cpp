@@ -5,7 +5,9 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -20,6 +22,16 @@
 #include "exit_status.hpp"
 
 namespace tool {
+
+namespace {
+
+bool is_pseudo_terminal(std::string const& path)
+{
+    std::error_code none;
+    return std::filesystem::canonical(path, none).string().starts_with("/dev/pts/");
+}
+
+} // namespace
 
 tcp_listener::tcp_listener(tcp_listener&& other) noexcept
     : listening_{std::exchange(other.listening_, -1)}, client_{std::exchange(other.client_, -1)}
@@ -122,7 +134,7 @@ served_port::served_port(std::string const& word, rtuwire::serial_settings const
         if (not port.open(device->path, settings)) {
             throw ended{exit_status::port, port.failure()};
         }
-        has_wire_ = not rtuwire::detail::is_pseudo_terminal(port.descriptor_number());
+        has_wire_ = not is_pseudo_terminal(device->path);
     } else if (auto const* const address = std::get_if<tcp_address>(&which.port)) {
         name_ = word.substr(word.find("//") + 2);
         if (std::string const why = port_.emplace<tcp_listener>().listen(*address); not why.empty()) {
