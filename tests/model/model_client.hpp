@@ -597,7 +597,8 @@ private:
     void take_response(fault found, microseconds now)
     {
         sendings_.answered();
-        if ((found == 5 or found == 6) and busy_left_ > 0) {
+        bool const asks = found == 6 or (found == 5 and request_[1] >= 1 and request_[1] <= 4);
+        if (asks and busy_left_ > 0) {
             --busy_left_;
             phase_ = phase::pausing;
             until_ = now + pause_;

@@ -228,7 +228,8 @@ private:
             return false;
         }
         arrival const& first = candidates_.front();
-        bool const is_busy = first.content[1] != of.request[1] and (first.content[2] == 5 or first.content[2] == 6);
+        bool const is_busy = first.content[1] != of.request[1] and
+                             (first.content[2] == 6 or (first.content[2] == 5 and of.request[1] <= 4));
         of.is_unsure = of.is_unsure or not first.is_in_time or not first.is_clean;
         if (not is_busy or not of.may_repeat or of.pauses >= retry_policy{}.busy_retries) {
             return false;

@@ -32,7 +32,8 @@ struct retry_policy {
     /// How often a request is repeated after no response or a damaged one; never after an exception other than 05 and
     /// 06, and never for a broadcast.
     std::uint8_t retries{2};
-    /// How often a request is repeated after the exceptions 05 (acknowledge) and 06 (busy).
+    /// How often a request is repeated after exception 06 (busy), and a read of bits or registers (functions 01 to 04) after
+    /// 05 (acknowledge). What else a unit acknowledges it has accepted, and does: that is never sent again.
     std::uint8_t busy_retries{3};
     /// The pause before the first of these repetitions; each further one is twice as long. No other request leaves on
     /// the line meanwhile.

@@ -55,7 +55,7 @@ enum class client_phase : std::uint8_t {
     transmitting, ///< sent -> awaiting, or turnaround after a broadcast, or settled where it was cancelled
                   ///< or came back; too late -> settled
     awaiting,     ///< the response -> settled; time over or a damaged response of our unit -> waiting, or settled;
-                  ///< exception 05 or 06 -> pausing, or settled
+                  ///< exception 06, or 05 to a read -> pausing, or settled
     pausing,      ///< time over -> waiting
     turnaround,   ///< time over -> settled
 };

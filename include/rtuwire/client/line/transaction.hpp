@@ -554,7 +554,10 @@ private:
         } else if (echo_.is_absent()) {
             echo_.forget();
         }
-        if (retries_.may_pause(wrong)) {
+        // Behind `acknowledge` a unit does what it was asked to do: nothing but a read of bits or registers goes again.
+        bool const is_under_way =
+            wrong == errc::acknowledge and request()[1] > static_cast<std::byte>(function_code::read_input_registers);
+        if (not is_under_way and retries_.may_pause(wrong)) {
             deadline_ = now + retries_.take_pause();
             phase_ = phase::pausing;
             error_ = errc::none;
