@@ -83,7 +83,7 @@ struct served {
     mbap_listener port{};
     std::array<std::byte, 256> place{};
 
-    served() { REQUIRE(port.open("127.0.0.1", number, {1, 2})); }
+    explicit served(duration idle = milliseconds(60'000)) { REQUIRE(port.open("127.0.0.1", number, {1, 2}, idle)); }
 
     spoken_bytes read(instant until = soon())
     {
@@ -178,6 +178,35 @@ TEST_CASE("who says what is no Modbus TCP is hung up on, and so is the ninth cli
     CHECK(next.heard(11) == spoken("00 06 00 00 00 05 01 03 02 00 05"_hex));
     good.say("00 07 00 00 00 06 01 03 00 64 00 01"_hex);
     CHECK_FALSE(line.read().empty());
+}
+
+TEST_CASE("who holds a place and asks nothing whole gives it to one who comes")
+{
+    served line{milliseconds(50)};
+    std::vector<std::unique_ptr<plain_client>> held;
+    for (int i = 0; i < 8; ++i) {
+        held.push_back(std::make_unique<plain_client>(line.number));
+        CHECK(line.read_nothing().empty());
+    }
+    auto const asks = [&](plain_client const& client) {
+        client.say("00 06 00 00 00 06 01 03 00 64 00 01"_hex);
+        CHECK(line.read() == spoken("01 03 00 64 00 01 C5 D5"_hex));
+        CHECK(line.port.write("01 03 02 00 05 78 47"_hex, soon()));
+        CHECK(client.heard(11) == spoken("00 06 00 00 00 05 01 03 02 00 05"_hex));
+    };
+    asks(*held[0]);
+    held[1]->say("00 06 00 00 00 06 01"_hex); // half of a request is none
+    instant const later = steady_now() + milliseconds(60);
+    while (not reached(steady_now(), later)) {
+        CHECK(line.read_nothing().empty());
+    }
+    for (std::size_t i = 1; i < 8; ++i) {
+        asks(*held[0]); // goes on meanwhile
+        held.push_back(std::make_unique<plain_client>(line.number));
+        asks(*held.back());
+        CHECK(line.hangs_up_on(*held[i]));
+    }
+    asks(*held[0]);
 }
 
 TEST_CASE("an address that is taken or not of this machine is told with its name")

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -37,14 +38,18 @@
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 
-/// Serves up to 8 clients, one request at a time, in turn. A request to a unit that is not there, or does not answer within
+/// Serves up to 8 clients, one request at a time, in turn. One more takes the place of the one whose last whole request is the
+/// longest ago, 10 s at least; where all have asked since, it is hung up on. A request to a unit that is not there, or does not answer within
 /// 0.5 s, is answered by exception 0B; nobody answers one to unit 0. Who sends what is no Modbus TCP is hung up on.
 class mbap_listener {
 public:
-    /// Listens at an address of this machine, for these units. Errors, with a `failure()`: `device_not_found` (no such
+    /// Listens at an address of this machine, for these units. A client that has asked nothing whole for `idle` may lose its place.
+    /// Errors, with a `failure()`: `device_not_found` (no such
     /// address here), `device_in_use`, `device_access_denied`, `timed_out`, `device_failed`.
-    result<void> open(std::string const& host, std::uint16_t port, std::vector<std::uint8_t> units)
+    result<void> open(std::string const& host, std::uint16_t port, std::vector<std::uint8_t> units,
+                      duration idle = milliseconds(10'000))
     {
+        idle_ = to_chrono(idle);
         device_ = "mbap://" + (host.find(':') != host.npos ? "[" + host + "]" : host) + ":" + std::to_string(port);
         units_ = std::move(units);
         auto const lookup = std::make_shared<detail::host_lookup>(host, port);
@@ -114,6 +119,8 @@ private:
     struct client {
         detail::descriptor line{};
         mbap_cutter came{};
+        std::chrono::steady_clock::time_point asked{
+            std::chrono::steady_clock::now()}; ///< last; a client may hang here for hours
     };
     /// The request that is with a unit.
     struct request {
@@ -140,6 +147,7 @@ private:
                                     now() + longest_answer};
                 std::size_t const size = rtu_frame_of(*message, place).size();
                 from.came.drop_first();
+                from.asked = std::chrono::steady_clock::now();
                 bool const is_to_all = asked.unit == std::byte{0};
                 if (is_to_all or std::ranges::count(units_, detail::to_u8(asked.unit)) > 0) {
                     asked_ = is_to_all ? std::nullopt : std::optional{asked};
@@ -174,11 +182,7 @@ private:
             each.came.add(count > 0 ? static_cast<std::size_t>(count) : 0);
             bool const is_gone = count == 0 or (count < 0 and errno != EAGAIN and errno != EINTR);
             if (is_gone or each.came.fault() != mbap_fault::none) {
-                if (asked_ and asked_->client == each.line.number()) {
-                    asked_.reset(); // its number may be the next client's
-                }
-                clients_.erase(clients_.begin() + static_cast<std::ptrdiff_t>(i));
-                turn_ = 0;
+                hang_up(i);
             }
         }
         if (watched[0].revents != 0) {
@@ -187,9 +191,28 @@ private:
         return true;
     }
 
+    void hang_up(std::size_t index)
+    {
+        if (asked_ and asked_->client == clients_[index].line.number()) {
+            asked_.reset(); // its number may be the next client's
+        }
+        clients_.erase(clients_.begin() + static_cast<std::ptrdiff_t>(index));
+        turn_ = 0;
+    }
+
+    /// Where all places are taken, that of who has asked nothing for longest.
+    void make_place()
+    {
+        auto const idlest = std::ranges::min_element(clients_, {}, &client::asked);
+        if (clients_.size() >= most_clients and std::chrono::steady_clock::now() - idlest->asked >= idle_) {
+            hang_up(static_cast<std::size_t>(idlest - clients_.begin()));
+        }
+    }
+
     /// One more than there is room for is hung up on.
     void take_client()
     {
+        make_place();
         detail::standard_places const kept;
         detail::descriptor line{::accept(listening_.number(), nullptr, nullptr)};
         if (not detail::standard_places::is_above(line.number()) or clients_.size() >= most_clients or
@@ -225,6 +248,7 @@ private:
 
     detail::descriptor listening_{};
     std::vector<client> clients_{};
+    std::chrono::microseconds idle_{};
     std::size_t turn_{0}; ///< the client whose request is next
     std::vector<std::uint8_t> units_{};
     std::optional<request> asked_{};
