@@ -206,10 +206,14 @@ def wrong(check, tool):
     for length in (0, 1, 255, 300, 65535):
         answers(check, tool, f"a length of {length}", lambda it: [message(it.number, it.answer(1)[6:], length=length)], PORT,
                 "no Modbus TCP", "2 to 254")
-    answers(check, tool, "one that has too little", lambda it: [message(it.number, it.answer(1)[6:-1])], DIFFERS,
-            "4 bytes came, 5 are due: 01 03 02 00", how=("--timeout", 2, "--retries", 0))
+    short = answers(check, tool, "one that has too little", lambda it: [message(it.number, it.answer(1)[6:-1])], DIFFERS,
+                    "wrong length", "4 bytes came, 5 are due: 01 03 02 00", how=("--timeout", 2, "--retries", 0))[1]
     answers(check, tool, "one that has too much", lambda it: [message(it.number, it.answer(1)[6:] + b"\7")], DIFFERS,
             "6 bytes came, 5 are due: 01 03 02 00 01 07", how=("--timeout", 2, "--retries", 0))
+    echo = answers(check, tool, "a server that gives back what it is sent", lambda it: [it.data], DIFFERS, "gives back what it is sent",
+                   how=("--timeout", 2, "--retries", 0))[1]
+    check(not any(each in ended.output + ended.errors for ended in (echo, short) for each in ("CRC", "--echo", "A and B")),
+          "no word of what only a serial line has", (echo, short))
     answers(check, tool, "no echo is waited for", lambda it: [it.answer(9)], DONE, "9", words=("--echo", "--noise", 8, "read", "100"))
     answers(check, tool, "a refusal of a gateway", lambda it: [message(it.number, bytes([it.unit, 0x83, 0x0B]))], DIFFERS,
             "gateway")
@@ -398,6 +402,10 @@ def reads_drives(check, tool, gateway):
     ended = tool.run("--json", "scan", "--units", "1-12", port=gateway.name)
     found = {each["unit"]: each["drive"] for each in ended.objects()}
     check(ended.status == DONE and found == {3: "atv12", 4: "atv28", 7: "atv320"}, "a scan finds the drives, and nobody else", ended)
+    check(all(each["baud"] is None and each["format"] is None for each in ended.objects()), "at no bit rate", ended)
+    ended = tool.run("scan", "--units", "8-9", port=gateway.name)
+    check(ended.status == NO_ANSWER and "nobody answered: 2 addresses asked, 1 s each" in ended.errors
+          and not any(each in ended.errors for each in ("19200", "A and B", "bit rate")), "nor is one named where nobody is", ended)
     ended = tool.run("-u", 5, "read", "3201", port=gateway.name)
     check(ended.status == DIFFERS and "gateway" in ended.errors + ended.output, "a unit that is not there is one of a gateway", ended)
     ended = tool.run("-u", 5, "identify", port=gateway.name)

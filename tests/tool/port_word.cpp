@@ -93,6 +93,11 @@ TEST_CASE("a server of Modbus TCP, whose port is 502 where none is named")
     CHECK(refused("mbap://host:65536").nearest == "mbap://host");
     CHECK(refused("mbap://host/1").nearest == "mbap://host");
     CHECK(refused("mbap://::1:502").nearest == "mbap://[::1]:502");
+    CHECK(refused("mbap://::1").nearest == "mbap://[::1]");
+    CHECK(refused("mbap://fe80::1%eth0").nearest == "mbap://[fe80::1%eth0]");
+    CHECK(refused("mbap://2001:db8:0:0:0:0:0:7").nearest == "mbap://[2001:db8:0:0:0:0:0:7]");
+    CHECK(refused("tcp://::1").nearest == "tcp://[::1]:4001");
+    CHECK(refused("mbap://plc:502:1").nearest.empty());
     CHECK(refused("mbap:host").nearest == "mbap://host");
     CHECK(refused("mbpa://host:502").nearest == "mbap://host:502");
     CHECK(has(refused("mbap://").sentence, "no host"));

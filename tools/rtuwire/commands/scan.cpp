@@ -179,8 +179,8 @@ private:
                 line_.reset();
                 return false;
             }
-            bar_->show(done_, ", asking unit " + std::to_string(unit) + " at " + words_of(how) + ", " +
-                                  std::to_string(count_) + " found" + last_found_);
+            bar_->show(done_, ", asking unit " + std::to_string(unit) + at_text(how) + ", " + std::to_string(count_) +
+                                  " found" + last_found_);
             if (not log_.is_done(how, unit) and not refused_.contains(words_of(how))) {
                 if (open_line* const line = line_with(how, timeout())) {
                     look_at(*line, how, *rtuwire::unit_id::checked(unit));
@@ -432,6 +432,10 @@ private:
     /// What to look at where nobody answered.
     std::string nobody_text() const
     {
+        if (is_tcp_) {
+            return "nobody answered: " + addresses_text() + " asked, " + text_of_cell(cell{timeout()}) +
+                   " s each. Next: is the unit behind this gateway powered, and which address does it have?";
+        }
         std::string settings;
         for (line_setting const& each : settings_) {
             settings += refused_.contains(words_of(each)) ? "" : (settings.empty() ? "" : ", ") + words_of(each);
@@ -458,6 +462,9 @@ private:
                                     "` tries the usual bit rates and formats"
                               : "";
     }
+
+    /// Behind the address; Modbus TCP has no setting.
+    std::string at_text(line_setting const& how) const { return is_tcp_ ? std::string{} : " at " + words_of(how); }
 
     static line_setting setting_of(record const& found)
     {
@@ -498,7 +505,7 @@ private:
         log_.note_found(how, unit.byte(), line);
         found_at_ = how;
         show(line);
-        last_found_ = ": unit " + std::to_string(unit.byte()) + " at " + words_of(how);
+        last_found_ = ": unit " + std::to_string(unit.byte()) + at_text(how);
         if (who.drive.empty() and unknown_.empty()) {
             unknown_ = shown_command(line_at(how), unit, "map");
         }
@@ -541,7 +548,12 @@ private:
         if (bar_) {
             bar_->clear();
         }
-        results_.put(line);
+        record shown;
+        for (field const& each : line.fields()) {
+            bool const has_no_setting = is_tcp_ and (each.name == "baud" or each.name == "format");
+            shown.add(each.name, has_no_setting ? cell{} : each.value);
+        }
+        results_.put(shown);
     }
 
     /// Every drive has it; for any other device an exception is an answer as well.

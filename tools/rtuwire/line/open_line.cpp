@@ -142,7 +142,12 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
     if (status_of(why) == exit_status::port) {
         return port_.failure();
     }
-    std::string text = words_of(why);
+    // Over Modbus TCP no CRC and no wires are to blame.
+    bool const is_tcp = port_.has_numbers();
+    std::string text = why == errc::wrong_length and is_tcp ? "wrong length" : words_of(why);
+    if (why == errc::line_echo and is_tcp) {
+        return "the request itself came back as its answer: what answers here gives back what it is sent";
+    }
     if (why == errc::line_echo) {
         return text + " (say --echo, or switch the adapter's receiver off while it sends)";
     }
@@ -159,7 +164,8 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
     } else {
         text += ": " + std::to_string(bytes.size()) + " bytes came";
     }
-    std::string const cause = why == errc::wrong_length ? "" : cause_of_damage(refused->bytes, refused->asked);
+    std::string const cause =
+        why == errc::wrong_length or is_tcp ? "" : cause_of_damage(refused->bytes, refused->asked);
     return text + ": " + hex_of(bytes) + (cause.empty() ? "" : "; " + cause);
 }
 

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <utility>
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
 #include <sys/stat.h>
 
 #include "port/simulated_words.hpp"
@@ -46,6 +48,13 @@ std::size_t colon_of(std::string_view place) noexcept
     return place.rfind(':');
 }
 
+/// "::1", "fe80::1%eth0".
+bool is_ipv6(std::string_view host)
+{
+    in6_addr place{};
+    return ::inet_pton(AF_INET6, std::string{host.substr(0, host.find('%'))}.c_str(), &place) == 1;
+}
+
 std::string host_in(std::string_view host)
 {
     bool const has_brackets = host.size() >= 2 and host.front() == '[' and host.back() == ']';
@@ -72,8 +81,12 @@ meaning read_host(std::string const& start, std::string_view place, std::optiona
     std::string_view const behind = colon == place.npos ? std::string_view{} : place.substr(colon + 1);
     auto const port = colon == place.npos ? usual : number_in(std::string{behind});
     if (host.front() != '[' and host.find(':') != host.npos) {
+        bool const has_port = port and is_ipv6(host);
+        std::string const number = "[" + std::string{has_port ? host : place} + "]";
         return wrong("a number of IPv6 stands in brackets",
-                     start + "[" + std::string{host} + "]:" + std::string{behind});
+                     not has_port and not is_ipv6(place)
+                         ? std::string{}
+                         : start + number + (has_port ? ":" + std::string{behind} : likely));
     }
     if (not port or *port == 0 or *port > 0xFFFF) {
         return wrong("a port is a number from 1 to 65535", start + std::string{host} + likely);
