@@ -266,6 +266,18 @@ def check_tcp(check, tool, others, server, counting_client):
     process.send_signal(signal.SIGINT)
     output, errors = process.communicate(timeout=20)
     check(said.split() == ["40", "0", "0"] and re.search("answers +split +[1-9]", output), "pieces over TCP", (said, output, errors))
+    asked = f"127.0.0.1:{free_port()}"
+    process = tool.start("chaos", "--from", f"tcp://{asked}", "--to", "sim:atv320:7", "--faults", "lost@2")
+    heads = [process.stderr.readline() for _ in range(2)]
+    check(f"client on {asked}, server on" in heads[1], "it says where it listens", heads)
+    for words, status in ((["RFR"], DONE), (["LCR"], NO_ANSWER), (["RFR"], DONE)):  # each a client of its own
+        ended = tool.run("--no-listen", "-u", 7, "-d", "atv320", "--timeout", 2, "--retries", 0, "read", *words, port=f"tcp://{asked}")
+        check(ended.status == status, f"a client over TCP: {words} ends with {status}", ended)
+    process.send_signal(signal.SIGINT)
+    output, errors = process.communicate(timeout=20)
+    check(process.returncode == DONE and re.search("answers +lost +1", output), "and it has what they asked", (output, errors))
+    ended = tool.run("chaos", "--from", "tcp://192.0.2.1:4001", "--to", "pty", "--faults", "lost=1%")
+    check(ended.status == PORT and "--from: 192.0.2.1:4001: cannot listen there" in ended.errors, "an address of nobody here", ended)
 
 
 def check_ports(check, tool):

@@ -19,12 +19,21 @@ constexpr rtuwire::duration write_limit = rtuwire::milliseconds(500);
 
 } // namespace
 
-line_end::line_end(std::string const& option, std::string const& word, line_choices const& chosen)
+line_end::line_end(side whose, std::string const& word, line_choices const& chosen)
 {
+    std::string const option = whose == side::client ? "--from" : "--to";
     if (word == "pty") {
-        if (not port_.emplace<pseudo_terminal>().open()) {
+        auto& made = port_.emplace<pseudo_terminal>();
+        if (not made.open()) {
             throw ended{exit_status::port, option + " pty: no pseudo-terminal to be had"};
         }
+        device_ = made.path();
+        return;
+    }
+    port_choice const which = read_port_word(word);
+    auto const* const address = which.refused ? nullptr : std::get_if<tcp_address>(&which.port);
+    if (address != nullptr and whose == side::client) {
+        listen(option, *address);
         return;
     }
     line_choices one = chosen;
@@ -34,16 +43,18 @@ line_end::line_end(std::string const& option, std::string const& word, line_choi
                     ": Modbus TCP has no line, whose faults these are: its messages have numbers, and no CRC");
     }
     try {
-        port_.emplace<any_port>(open_port(one, setting_in(one)));
+        device_ = port_.emplace<any_port>(open_port(one, setting_in(one))).device();
     } catch (ended const& why) {
         throw ended{why.status, option + ": " + why.what()};
     }
 }
 
-std::string line_end::device() const
+void line_end::listen(std::string const& option, tcp_address const& where)
 {
-    auto const* const made = std::get_if<pseudo_terminal>(&port_);
-    return made != nullptr ? made->path() : std::get<any_port>(port_).device();
+    device_ = where.host + ':' + std::to_string(where.port);
+    if (std::string const why = port_.emplace<tcp_listener>().listen(where); not why.empty()) {
+        throw ended{exit_status::port, option + ": " + device_ + ": cannot listen there: " + why};
+    }
 }
 
 int line_end::descriptor_number() const
@@ -59,8 +70,13 @@ rtuwire::duration line_end::silence() const
 
 void line_end::write(rtuwire::byte_view bytes)
 {
-    auto const done =
-        std::visit([&](auto& port) { return port.write(bytes, rtuwire::steady_now() + write_limit); }, port_);
+    rtuwire::instant const until = rtuwire::steady_now() + write_limit;
+    if (auto* const listener = std::get_if<tcp_listener>(&port_)) {
+        listener->write(bytes, until);
+        return;
+    }
+    auto* const made = std::get_if<pseudo_terminal>(&port_);
+    auto const done = made != nullptr ? made->write(bytes, until) : std::get<any_port>(port_).write(bytes, until);
     if (not done and done != rtuwire::errc::transmit_stalled) {
         fail();
     }
@@ -68,7 +84,12 @@ void line_end::write(rtuwire::byte_view bytes)
 
 rtuwire::byte_view line_end::read(rtuwire::byte_span place)
 {
-    auto const bytes = std::visit([&](auto& port) { return port.read(place, rtuwire::steady_now()); }, port_);
+    rtuwire::instant const now = rtuwire::steady_now();
+    if (auto* const listener = std::get_if<tcp_listener>(&port_)) {
+        return listener->read(place, now);
+    }
+    auto* const made = std::get_if<pseudo_terminal>(&port_);
+    auto const bytes = made != nullptr ? made->read(place, now) : std::get<any_port>(port_).read(place, now);
     if (not bytes) {
         fail();
     }

@@ -130,9 +130,8 @@ private:
 class chaos_command {
 public:
     explicit chaos_command(choices const& chosen)
-        : chosen_{chosen}, plan_{plan_in(chosen)}, from_{"--from", chosen.chaos.from, chosen.line}, to_{"--to",
-                                                                                                        chosen.chaos.to,
-                                                                                                        chosen.line}
+        : chosen_{chosen}, plan_{plan_in(chosen)}, from_{line_end::side::client, chosen.chaos.from, chosen.line},
+          to_{line_end::side::server, chosen.chaos.to, chosen.line}
     {
         plan_.silence = std::max(from_.silence(), to_.silence());
         if (not chosen.file.empty()) {

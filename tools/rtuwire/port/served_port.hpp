@@ -27,6 +27,9 @@ public:
     /// Lets the client go.
     void hang_up() noexcept;
 
+    /// For `poll`: of its client, or of who may come where there is none.
+    int descriptor_number() const noexcept { return client_ >= 0 ? client_ : listening_; }
+
     void write(rtuwire::byte_view bytes, rtuwire::instant until);
     rtuwire::byte_span read(rtuwire::byte_span place, rtuwire::instant until);
 
