@@ -33,13 +33,12 @@ class UnitOnLine(Line):
         self.unit.take(data, self.say)
 
 
-class UnitOnTcp:
-    """The same behind a TCP port."""
+class OnTcp:
+    """with ... as it: listens on a TCP port, `it.name` of the tool, and hands each connection to its `talk`, one after the other."""
 
-    def __init__(self, said):
-        self.unit = Unit(said)
+    def __init__(self, word="tcp"):
         self.listening = socket.create_server(("127.0.0.1", 0))
-        self.name = f"tcp://127.0.0.1:{self.listening.getsockname()[1]}"
+        self.name = f"{word}://127.0.0.1:{self.listening.getsockname()[1]}"
         threading.Thread(target=self.serve, daemon=True).start()
 
     def serve(self):
@@ -49,11 +48,26 @@ class UnitOnTcp:
             except OSError:
                 return
             line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            while request := line.recv(512):
-                self.unit.take(request, line.sendall)
+            try:
+                self.talk(line)
+            except OSError:
+                pass
+            line.close()
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
         self.listening.close()
+
+
+class UnitOnTcp(OnTcp):
+    """A unit behind a TCP port."""
+
+    def __init__(self, said):
+        self.unit = Unit(said)
+        super().__init__()
+
+    def talk(self, line):
+        while request := line.recv(512):
+            self.unit.take(request, line.sendall)

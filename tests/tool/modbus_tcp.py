@@ -15,6 +15,7 @@ import time
 
 from support import DIFFERS, DONE, NO_ANSWER, PORT, USAGE, Tool, runs, soon, with_crc
 
+from field_units import OnTcp  # noqa: I100
 from pair import Programs, free_port, wait_for_listener  # noqa: I100
 from simulator import Registers  # noqa: I100
 
@@ -41,29 +42,13 @@ class Request:
         return message(self.number, body)
 
 
-class Server:
+class Server(OnTcp):
     """with Server(said) as server: what is said to each request, in parts: bytes; a number of seconds to wait; None, which ends the
     connection. `server.name` is its port of the tool."""
 
     def __init__(self, said, word="mbap"):
         self.said, self.requests, self.heard = said, [], b""
-        self.listening = socket.create_server(("127.0.0.1", 0))
-        self.number = self.listening.getsockname()[1]
-        self.name = f"{word}://127.0.0.1:{self.number}"
-        threading.Thread(target=self.serve, daemon=True).start()
-
-    def serve(self):
-        while True:
-            try:
-                line, _ = self.listening.accept()
-            except OSError:
-                return
-            line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            try:
-                self.talk(line)
-            except OSError:
-                pass
-            line.close()
+        super().__init__(word)
 
     def talk(self, line):
         waiting = b""
@@ -78,12 +63,6 @@ class Server:
                     if part is None:
                         return
                     time.sleep(part) if isinstance(part, (int, float)) else line.sendall(part)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.listening.close()
 
 
 # Servers of others.

@@ -6,44 +6,15 @@
 
 #include <array>
 
-#include <mb.h>
-#include <mbport.h>
+#include "freemodbus_port.hpp"
 
 namespace {
 
 std::array<USHORT, 16> bank;
 
-bool is_sending;
-bool is_timing;
-bool has_event;
-std::uint32_t silence;
-std::uint32_t since;
-eMBEventType event;
+std::uint32_t microseconds_now() { return board::now().microseconds; }
 
 } // namespace
-
-BOOL xMBPortEventInit() { return TRUE; }
-
-BOOL xMBPortEventPost(eMBEventType posted)
-{
-    event = posted;
-    has_event = true;
-    return TRUE;
-}
-
-BOOL xMBPortEventGet(eMBEventType* to)
-{
-    if (not has_event) {
-        return FALSE;
-    }
-    *to = event;
-    has_event = false;
-    return TRUE;
-}
-
-BOOL xMBPortSerialInit(UCHAR, ULONG, UCHAR, eMBParity, UCHAR) { return TRUE; }
-
-void vMBPortSerialEnable(BOOL, BOOL sends) { is_sending = sends != FALSE; }
 
 BOOL xMBPortSerialPutByte(CHAR byte)
 {
@@ -56,20 +27,6 @@ BOOL xMBPortSerialGetByte(CHAR* to)
     *to = static_cast<CHAR>(board::byte());
     return TRUE;
 }
-
-BOOL xMBPortTimersInit(USHORT times_50_us)
-{
-    silence = times_50_us * 50U;
-    return TRUE;
-}
-
-void vMBPortTimersEnable()
-{
-    since = board::now().microseconds;
-    is_timing = true;
-}
-
-void vMBPortTimersDisable() { is_timing = false; }
 
 /// Addresses begin at 1 here.
 eMBErrorCode eMBRegHoldingCB(UCHAR* bytes, USHORT first, USHORT count, eMBRegisterMode mode)
@@ -99,7 +56,7 @@ int main()
         if (is_sending) {
             pxMBFrameCBTransmitterEmpty();
         }
-        if (is_timing and board::now().microseconds - since >= silence) {
+        if (is_silent()) {
             pxMBPortCBTimerExpired();
         }
         eMBPoll();

@@ -4,9 +4,9 @@
 // line, until it is ended.
 #include "agreement.hpp"
 
-#include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/server/banks.hpp>
-#include <rtuwire/server/blocking.hpp>
+
+#include "../served_device.hpp"
 
 using namespace rtuwire;
 using namespace rtuwire::detail;
@@ -83,23 +83,9 @@ constexpr server_profile profile{.identity = identity_of<objects>};
 
 int main(int argc, char** argv)
 {
-    posix_serial port;
-    if (argc != 2 or not port.open(argv[1])) {
-        std::fprintf(stderr, "%s\n", argc == 2 ? port.failure().c_str() : "usage: agreement_server DEVICE");
-        return 2;
-    }
     static device bank;
     // Function 08 ends by silence; socat and the system deliver a frame in one piece, or nearly so.
     auto const line = line_timing::host(115'200, character_format::none_8_1);
     basic_server<serial_diagnostics, public_functions> node{unit_id{1}, line, profile};
-    instant const silent = port.now() + milliseconds(40);
-    while (not reached(port.now(), silent)) {
-        static_cast<void>(serve_once(node, port, bank, milliseconds(10)));
-    }
-    std::puts("ready");
-    std::fflush(stdout);
-    while (serve_once(node, port, bank, milliseconds(200))) {
-    }
-    std::fprintf(stderr, "%s\n", port.failure().c_str());
-    return 1;
+    return test::serve_device(argc, argv, line, node, bank);
 }

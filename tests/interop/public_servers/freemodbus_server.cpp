@@ -11,14 +11,10 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <mb.h>
-#include <mbport.h>
-
+#include "freemodbus_port.hpp"
 #include "serial_line.hpp"
 
 namespace {
-
-using wall = std::chrono::steady_clock;
 
 constexpr std::size_t size = 128;
 std::array<USHORT, size> holding, input;
@@ -27,10 +23,12 @@ std::array<bool, size> coils, contacts;
 int device = -1;
 std::array<UCHAR, 512> came, left;
 std::size_t came_size, next_byte, left_size;
-bool is_sending, is_timing, has_event;
-wall::duration silence;
-wall::time_point since;
-eMBEventType event;
+
+std::uint32_t microseconds_now()
+{
+    auto const now = std::chrono::steady_clock::now().time_since_epoch();
+    return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
+}
 
 bool has(USHORT first, USHORT count) { return first >= 1 and first - 1U + count <= size; }
 
@@ -73,10 +71,10 @@ eMBErrorCode serve_bits(std::array<bool, size>& bank, UCHAR* bytes, USHORT first
 /// What has come, until the timer is due; whether something had, however late this loop came to look.
 bool hear()
 {
-    wall::duration const rest = is_timing ? since + silence - wall::now() : std::chrono::milliseconds(200);
-    auto const wait = std::chrono::ceil<std::chrono::milliseconds>(rest).count();
+    std::uint32_t const passed = microseconds_now() - since;
+    std::uint32_t const rest = not is_timing ? 200'000 : passed < silence ? silence - passed : 0;
     pollfd waiting{device, POLLIN, 0};
-    if (poll(&waiting, 1, wait < 0 ? 0 : static_cast<int>(wait)) <= 0) {
+    if (poll(&waiting, 1, static_cast<int>((rest + 999) / 1'000)) <= 0) {
         return false;
     }
     ssize_t const some = read(device, came.data(), came.size());
@@ -89,29 +87,6 @@ bool hear()
 
 } // namespace
 
-BOOL xMBPortEventInit() { return TRUE; }
-
-BOOL xMBPortEventPost(eMBEventType posted)
-{
-    event = posted;
-    has_event = true;
-    return TRUE;
-}
-
-BOOL xMBPortEventGet(eMBEventType* to)
-{
-    if (not has_event) {
-        return FALSE;
-    }
-    *to = event;
-    has_event = false;
-    return TRUE;
-}
-
-BOOL xMBPortSerialInit(UCHAR, ULONG, UCHAR, eMBParity, UCHAR) { return TRUE; }
-
-void vMBPortSerialEnable(BOOL, BOOL sends) { is_sending = sends != FALSE; }
-
 BOOL xMBPortSerialPutByte(CHAR byte)
 {
     left[left_size++] = static_cast<UCHAR>(byte);
@@ -123,20 +98,6 @@ BOOL xMBPortSerialGetByte(CHAR* to)
     *to = static_cast<CHAR>(came[next_byte++]);
     return TRUE;
 }
-
-BOOL xMBPortTimersInit(USHORT times_50_us)
-{
-    silence = std::chrono::microseconds(times_50_us * 50);
-    return TRUE;
-}
-
-void vMBPortTimersEnable()
-{
-    since = wall::now();
-    is_timing = true;
-}
-
-void vMBPortTimersDisable() { is_timing = false; }
 
 eMBErrorCode eMBRegHoldingCB(UCHAR* bytes, USHORT first, USHORT count, eMBRegisterMode mode)
 {
@@ -168,7 +129,7 @@ int main(int argc, char** argv)
     std::puts("ready");
     std::fflush(stdout);
     for (;;) {
-        if (not hear() and is_timing and wall::now() - since >= silence) {
+        if (not hear() and is_silent()) {
             pxMBPortCBTimerExpired();
         }
         while (has_event or is_sending) {

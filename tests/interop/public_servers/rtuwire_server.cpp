@@ -3,11 +3,10 @@
 // Our server with all functions that have clauses, unit 1: rtuwire_server DEVICE. 128 of each, from address 0.
 #include <array>
 #include <cstdint>
-#include <cstdio>
 
-#include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/server/banks.hpp>
-#include <rtuwire/server/blocking.hpp>
+
+#include "../served_device.hpp"
 
 using namespace rtuwire;
 
@@ -46,23 +45,8 @@ constexpr server_profile profile{.identity = identity_of<objects>};
 
 int main(int argc, char** argv)
 {
-    posix_serial port;
-    if (argc != 2 or not port.open(argv[1])) {
-        std::fprintf(stderr, "%s\n", argc == 2 ? port.failure().c_str() : "usage: rtuwire_server DEVICE");
-        return 2;
-    }
     static device bank;
     auto const line = line_timing::host(19'200, character_format::none_8_1);
     counting_server::with<functions> node{unit_id{1}, line, profile};
-    // Nothing is heard before the line was silent once.
-    instant const silent = port.now() + line.frame_end() + milliseconds(10);
-    while (not reached(port.now(), silent)) {
-        static_cast<void>(serve_once(node, port, bank, milliseconds(10)));
-    }
-    std::puts("ready");
-    std::fflush(stdout);
-    while (serve_once(node, port, bank, milliseconds(200))) {
-    }
-    std::fprintf(stderr, "%s\n", port.failure().c_str());
-    return 1;
+    return test::serve_device(argc, argv, line, node, bank);
 }
