@@ -42,7 +42,7 @@ def sections_in(source):
 
 def check_sections(check, tool):
     rows = tool.run("--csv", "check", "--list").rows()
-    check(len(rows) == 153, "the clauses", len(rows))
+    check(len(rows) == 156, "the clauses", len(rows))
     wrong = [(row["clause"], row["source"]) for row in rows
              if not row["source"].startswith("field")
              and (not sections_in(row["source"]) or any(number not in SECTIONS[where] for where, number in sections_in(row["source"])))]

@@ -700,7 +700,7 @@ class PaddingIsSet(Server):
 
 class AddressBeforeQuantity(Server):
     """In function 02; of 16 the next one does that."""
-    musts = "F02.4"
+    shoulds = "F02.4"
 
     def read_contacts(self, data):
         refuse_if(len(data) == 4 and words(data)[0] >= BITS, 2)
@@ -709,7 +709,7 @@ class AddressBeforeQuantity(Server):
 
 class AddressBeforeByteCount(Server):
     """In function 16: a write of nothing to where nothing is gets the wrong reason."""
-    musts = "F16.8"
+    shoulds = "F16.10"
 
     def write_registers(self, data):
         refuse_if(len(data) >= 5 and words(data)[0] >= REGISTERS, 2)
@@ -730,7 +730,7 @@ class InputsWrap(Server):
 
 class NothingIsAnswered(Server):
     """A read of no register is answered with none."""
-    musts = "F03.1 F03.8"  # F03.8: where no registers are, it is refused for that
+    musts, shoulds = "F03.1", "F03.8"  # F03.8: where no registers are, it is refused for that
     unasked = "D08"  # counts two refusals, of which this is one
 
     def read_holding(self, data):
@@ -742,7 +742,7 @@ class NothingIsAnswered(Server):
 
 class NoneIsMissing(Server):
     """A quantity of 0 is refused as a missing address. That is the order's fault alone: nothing is read or written."""
-    musts = "F01.5 F02.4 F03.8 F04.4 F15.7 F16.8 F23.6"
+    shoulds = "F01.5 F02.4 F03.8 F04.4 F15.8 F16.10 F23.9"
 
     def block(self, data, size, limit, count):
         refuse_if(len(data) == size and words(data[:4])[1] == 0, 2)
@@ -831,7 +831,7 @@ class MissingIsZero(Server):
 
 class RefusesByWrongCode(Server):
     """A wrong quantity of input registers is refused as if the function were not there."""
-    musts = "F04.1 F04.4"  # and not X07: an answer for which a clause failed is not held against others
+    musts, shoulds = "F04.1", "F04.4"  # and not X07: an answer for which a clause failed is not held against others
 
     def read_inputs(self, data):
         refuse_if(len(data) == 4 and not 1 <= words(data)[1] <= 125, 1)
@@ -965,7 +965,7 @@ WRONG_WRITES = {bytes([function | 0x80, 3]) for function in (15, 16, 23)}
 
 class SilentToWrongWrites(Server):
     """Functions 15, 16 and 23: what is due for exception 03 gets nothing. Only what asks for the reason of a refusal misses it."""
-    musts = "F15.7 F16.8 F23.6"
+    shoulds = "F15.8 F16.10 F23.9"
 
     def answer(self, function, data):
         answer = super().answer(function, data)
@@ -974,7 +974,8 @@ class SilentToWrongWrites(Server):
 
 class WrongWritesAreDone(Server):
     """The same, and what was sent first is written: one byte of coils, one register."""
-    musts = "F15.3 F15.4 F15.5 F15.6 F15.7 F16.2 F16.3 F16.4 F16.5 F16.6 F16.8 F23.2 F23.3 F23.4 F23.6 F23.7"
+    musts = "F15.3 F15.4 F15.5 F15.6 F16.2 F16.3 F16.4 F16.5 F16.6 F23.2 F23.3 F23.4 F23.7"
+    shoulds = "F15.8 F16.10 F23.9"
 
     def answer(self, function, data):
         answer = super().answer(function, data)
