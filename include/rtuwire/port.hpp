@@ -15,6 +15,7 @@
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
 #include <rtuwire/port/serial_settings.hpp>
+#include <rtuwire/port/tcp_acceptor.hpp>
 #include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/port/transceiver.hpp>
 #include <rtuwire/wire/unit_id.hpp>

@@ -11,15 +11,12 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
 
@@ -28,9 +25,8 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
-#include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/port/host_lookup.hpp>
 #include <rtuwire/port/mbap.hpp>
+#include <rtuwire/port/tcp_acceptor.hpp>
 #include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -52,20 +48,9 @@ public:
         idle_ = to_chrono(idle);
         device_ = "mbap://" + (host.find(':') != host.npos ? "[" + host + "]" : host) + ":" + std::to_string(port);
         units_ = std::move(units);
-        auto const lookup = std::make_shared<detail::host_lookup>(host, port);
-        if (auto const found = lookup->run(now() + milliseconds(3'000)); not found) {
-            return failed(found.error(), "no such host (" + lookup->why() + ")");
-        }
-        listening_ = detail::socket_for(*lookup->first());
-        if (not listening_.is_open()) {
-            return failed(errc::device_failed, std::strerror(errno));
-        }
-        detail::set_option(listening_.number(), SOL_SOCKET, SO_REUSEADDR, 1);
-        if (::bind(listening_.number(), lookup->first()->ai_addr, lookup->first()->ai_addrlen) != 0 or
-            ::listen(listening_.number(), static_cast<int>(most_clients)) != 0) {
-            int const why = errno;
-            listening_.close();
-            return failed(listen_error(why), std::strerror(why));
+        if (auto const opened = listening_.open(host, port, static_cast<int>(most_clients)); not opened) {
+            failure_ = "mbap://" + listening_.failure();
+            return opened;
         }
         return {};
     }
@@ -117,7 +102,7 @@ private:
 #endif
 
     struct client {
-        detail::descriptor line{};
+        tcp_stream line{};
         mbap_cutter came{};
         std::chrono::steady_clock::time_point asked{
             std::chrono::steady_clock::now()}; ///< last; a client may hang here for hours
@@ -131,19 +116,13 @@ private:
         instant give_up;
     };
 
-    result<void> failed(errc error, std::string const& why)
-    {
-        failure_ = device_ + ": cannot listen there: " + why;
-        return error;
-    }
-
     /// A whole message of one of the clients, as a frame; its size, 0 where there is none.
     std::size_t next_request(byte_span place)
     {
         for (std::size_t i = 0; i < clients_.size(); ++i) {
             client& from = clients_[(turn_ + i) % clients_.size()];
             while (auto const message = from.came.first()) {
-                request const asked{from.line.number(), message->number, message->body[0], message->body[1],
+                request const asked{from.line.descriptor_number(), message->number, message->body[0], message->body[1],
                                     now() + longest_answer};
                 std::size_t const size = rtu_frame_of(*message, place).size();
                 from.came.drop_first();
@@ -163,9 +142,9 @@ private:
     /// Whether anything came before then.
     bool wait(instant until)
     {
-        std::vector<pollfd> watched{{listening_.number(), POLLIN, 0}};
+        std::vector<pollfd> watched{{listening_.descriptor_number(), POLLIN, 0}};
         for (client& each : clients_) { // what has no room is read once the requests before it have gone
-            watched.push_back({each.came.room().empty() ? -1 : each.line.number(), POLLIN, 0});
+            watched.push_back({each.came.room().empty() ? -1 : each.line.descriptor_number(), POLLIN, 0});
         }
         instant const begin = now();
         auto const left = reached(begin, until) ? 0 : static_cast<int>((until - begin).microseconds / 1'000U + 1U);
@@ -178,7 +157,8 @@ private:
             if (watched[i + 1].revents == 0) {
                 continue;
             }
-            ssize_t const count = ::recv(each.line.number(), each.came.room().data(), each.came.room().size(), 0);
+            ssize_t const count =
+                ::recv(each.line.descriptor_number(), each.came.room().data(), each.came.room().size(), 0);
             each.came.add(count > 0 ? static_cast<std::size_t>(count) : 0);
             bool const is_gone = count == 0 or (count < 0 and errno != EAGAIN and errno != EINTR);
             if (is_gone or each.came.fault() != mbap_fault::none) {
@@ -193,7 +173,7 @@ private:
 
     void hang_up(std::size_t index)
     {
-        if (asked_ and asked_->client == clients_[index].line.number()) {
+        if (asked_ and asked_->client == clients_[index].line.descriptor_number()) {
             asked_.reset(); // its number may be the next client's
         }
         clients_.erase(clients_.begin() + static_cast<std::ptrdiff_t>(index));
@@ -213,14 +193,10 @@ private:
     void take_client()
     {
         make_place();
-        detail::standard_places const kept;
-        detail::descriptor line{::accept(listening_.number(), nullptr, nullptr)};
-        if (not detail::standard_places::is_above(line.number()) or clients_.size() >= most_clients or
-            ::fcntl(line.number(), F_SETFD, FD_CLOEXEC) != 0 or ::fcntl(line.number(), F_SETFL, O_NONBLOCK) != 0) {
-            return;
+        auto line = listening_.accept();
+        if (line and clients_.size() < most_clients) {
+            clients_.push_back({std::move(*line), {}});
         }
-        detail::set_up_connection(line.number());
-        clients_.push_back({std::move(line), {}});
     }
 
     void refuse(request const& asked)
@@ -239,14 +215,7 @@ private:
         }
     }
 
-    static errc listen_error(int system_error) noexcept
-    {
-        return system_error == EADDRINUSE      ? errc::device_in_use
-               : system_error == EADDRNOTAVAIL ? errc::device_not_found
-                                               : detail::device_error(system_error);
-    }
-
-    detail::descriptor listening_{};
+    tcp_acceptor listening_{};
     std::vector<client> clients_{};
     std::chrono::microseconds idle_{};
     std::size_t turn_{0}; ///< the client whose request is next

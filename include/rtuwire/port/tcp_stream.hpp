@@ -161,6 +161,8 @@ inline void set_up_connection(int socket) noexcept
 /// `.with_silence(milliseconds(5))` or more.
 class tcp_stream {
 public:
+    tcp_stream() = default;
+
     /// Connects to a host by its name or its IPv4 or IPv6 number, to the first of its addresses that answers, within a
     /// time limit for that and the look-up of the name; what was open before is closed. On an error nothing is open and `failure()`
     /// says why: `device_not_found` (no such host, no way to it, nobody listens on that port), `timed_out`,
@@ -231,6 +233,10 @@ public:
     [[nodiscard]] static instant now() noexcept { return steady_now(); }
 
 private:
+    friend class tcp_acceptor;
+
+    tcp_stream(detail::descriptor line, std::string device) : line_{std::move(line)}, device_{std::move(device)} {}
+
 #ifdef MSG_NOSIGNAL
     static constexpr int without_signal = MSG_NOSIGNAL;
 #else

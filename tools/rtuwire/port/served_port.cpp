@@ -3,17 +3,11 @@
 #include "port/served_port.hpp"
 
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <termios.h>
@@ -33,80 +27,39 @@ bool is_pseudo_terminal(std::string const& path)
 
 } // namespace
 
-tcp_listener::tcp_listener(tcp_listener&& other) noexcept
-    : listening_{std::exchange(other.listening_, -1)}, client_{std::exchange(other.client_, -1)}
-{}
-
-tcp_listener& tcp_listener::operator=(tcp_listener&& other) noexcept
-{
-    std::swap(listening_, other.listening_);
-    std::swap(client_, other.client_);
-    return *this;
-}
-
 std::string tcp_listener::listen(tcp_address const& where)
 {
-    addrinfo hints{};
-    hints.ai_family = AF_UNSPEC;
-    hints.ai_socktype = SOCK_STREAM;
-    hints.ai_flags = AI_PASSIVE;
-    addrinfo* found = nullptr;
-    if (int const wrong = ::getaddrinfo(where.host.c_str(), std::to_string(where.port).c_str(), &hints, &found);
-        wrong != 0) {
-        return ::gai_strerror(wrong);
-    }
-    std::unique_ptr<addrinfo, void (*)(addrinfo*)> const kept{found, &::freeaddrinfo};
-    listening_ = ::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-    int const yes = 1;
-    bool const is_listening =
-        listening_ >= 0 and ::setsockopt(listening_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 and
-        ::bind(listening_, found->ai_addr, found->ai_addrlen) == 0 and ::listen(listening_, 4) == 0;
-    return is_listening ? std::string{} : std::strerror(errno);
-}
-
-void tcp_listener::hang_up() noexcept
-{
-    if (client_ >= 0) {
-        ::close(std::exchange(client_, -1));
-    }
-}
-
-void tcp_listener::close() noexcept
-{
-    hang_up();
-    if (listening_ >= 0) {
-        ::close(std::exchange(listening_, -1));
-    }
+    constexpr int most_waiting = 4;
+    return listening_.open(where.host, where.port, most_waiting) ? std::string{} : listening_.failure();
 }
 
 void tcp_listener::accept_one()
 {
-    int const next = ::accept4(listening_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-    if (next >= 0) {
-        int const yes = 1;
-        static_cast<void>(::setsockopt(next, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes));
-        hang_up();
-        client_ = next;
+    if (auto next = listening_.accept()) {
+        client_ = std::move(*next);
     }
 }
 
 void tcp_listener::write(rtuwire::byte_view bytes, rtuwire::instant)
 {
-    if (client_ >= 0) {
-        static_cast<void>(::send(client_, bytes.data(), bytes.size(), MSG_NOSIGNAL)); // one that is gone reads nothing
+    if (client_.is_open()) {
+        static_cast<void>(::send(client_.descriptor_number(), bytes.data(), bytes.size(),
+                                 MSG_NOSIGNAL)); // one that is gone reads nothing
     }
 }
 
 rtuwire::byte_span tcp_listener::read(rtuwire::byte_span place, rtuwire::instant until)
 {
     rtuwire::duration const left = until - rtuwire::steady_now();
-    std::array<pollfd, 2> watched{pollfd{listening_, POLLIN, 0}, pollfd{client_, POLLIN, 0}};
+    std::array<pollfd, 2> watched{pollfd{listening_.descriptor_number(), POLLIN, 0},
+                                  pollfd{client_.descriptor_number(), POLLIN, 0}};
     bool const is_over = reached(rtuwire::steady_now(), until);
-    if (::poll(watched.data(), client_ >= 0 ? 2 : 1, is_over ? 0 : static_cast<int>(left.microseconds / 1'000U)) <= 0) {
+    if (::poll(watched.data(), client_.is_open() ? 2 : 1, is_over ? 0 : static_cast<int>(left.microseconds / 1'000U)) <=
+        0) {
         return place.first(0);
     }
-    if (client_ >= 0 and watched[1].revents != 0) {
-        ssize_t const came = ::recv(client_, place.data(), place.size(), 0);
+    if (client_.is_open() and watched[1].revents != 0) {
+        ssize_t const came = ::recv(client_.descriptor_number(), place.data(), place.size(), 0);
         if (came > 0) {
             return place.first(static_cast<std::size_t>(came));
         }
@@ -138,7 +91,7 @@ served_port::served_port(std::string const& word, rtuwire::serial_settings const
     } else if (auto const* const address = std::get_if<tcp_address>(&which.port)) {
         name_ = word.substr(word.find("//") + 2);
         if (std::string const why = port_.emplace<tcp_listener>().listen(*address); not why.empty()) {
-            throw ended{exit_status::port, word + ": cannot listen there: " + why};
+            throw ended{exit_status::port, "tcp://" + why};
         }
     } else {
         refuse_word("--port " + word + ": a client is served on a serial device, such as /dev/ttyUSB0, at an address " +

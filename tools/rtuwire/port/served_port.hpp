@@ -15,30 +15,25 @@ namespace tool {
 /// Waits for a client at a TCP port, and serves the one that came last.
 class tcp_listener {
 public:
-    tcp_listener() = default;
-    tcp_listener(tcp_listener&& other) noexcept;
-    tcp_listener& operator=(tcp_listener&& other) noexcept;
-    tcp_listener(tcp_listener const&) = delete;
-    tcp_listener& operator=(tcp_listener const&) = delete;
-    ~tcp_listener() { close(); }
-
-    /// Why it cannot; empty where it listens.
+    /// Why it cannot, beginning with host and port; empty where it listens.
     std::string listen(tcp_address const& where);
     /// Lets the client go.
-    void hang_up() noexcept;
+    void hang_up() noexcept { client_.close(); }
 
     /// For `poll`: of its client, or of who may come where there is none.
-    int descriptor_number() const noexcept { return client_ >= 0 ? client_ : listening_; }
+    int descriptor_number() const noexcept
+    {
+        return client_.is_open() ? client_.descriptor_number() : listening_.descriptor_number();
+    }
 
     void write(rtuwire::byte_view bytes, rtuwire::instant until);
     rtuwire::byte_span read(rtuwire::byte_span place, rtuwire::instant until);
 
 private:
-    void close() noexcept;
     void accept_one();
 
-    int listening_{-1};
-    int client_{-1};
+    rtuwire::tcp_acceptor listening_{};
+    rtuwire::tcp_stream client_{};
 };
 
 class served_port {
