@@ -54,7 +54,14 @@ struct line_choices {
 struct permissions {
     bool may_write{false};
     bool may_run{false};
+    bool knows_run{true};     ///< false: the command has no --allow-run, so that no message says it
     bool is_confirmed{false}; ///< asks nobody back
+
+    /// What would allow it, behind a reason: "; to write it, say --allow-run besides".
+    [[nodiscard]] std::string by_run(std::string const& act) const
+    {
+        return knows_run ? "; to " + act + " it, say --allow-run besides" : std::string{};
+    }
 };
 
 struct scan_choices {

@@ -3,6 +3,7 @@
 // How the tool ends, and the reasons that end it early. docs/tool.md lists the numbers for scripts.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -27,5 +28,16 @@ public:
 
 [[noreturn]] inline void refuse_word(std::string const& why) { throw ended{exit_status::usage, why}; }
 [[noreturn]] inline void refuse_for_safety(std::string const& why) { throw ended{exit_status::refused, why}; }
+
+/// What a judgement ends the command with, for who goes on all the same; nothing where it ends nothing.
+template <typename Judge> [[nodiscard]] std::optional<ended> ended_by(Judge&& judge)
+{
+    try {
+        judge();
+    } catch (ended const& why) {
+        return why;
+    }
+    return std::nullopt;
+}
 
 } // namespace tool

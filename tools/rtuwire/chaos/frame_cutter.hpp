@@ -26,7 +26,7 @@ public:
     {
         held_.insert(held_.end(), bytes.begin(), bytes.end());
         last_ = now;
-        while (std::size_t const size = whole_frame()) {
+        while (std::size_t const size = frame_at_begin(held_, role_)) {
             hand_out(size, take);
         }
         while (held_.size() >= rtuwire::max_adu_size) {
@@ -48,22 +48,6 @@ public:
     }
 
 private:
-    /// The size of the frame that the bytes begin with; 0 where none is whole.
-    std::size_t whole_frame() const
-    {
-        rtuwire::running_crc16<> crc;
-        for (std::size_t size = 1; size <= std::min(held_.size(), rtuwire::max_adu_size); ++size) {
-            crc.add(held_[size - 1]);
-            if (size >= rtuwire::min_adu_size and crc.value() == 0) {
-                rtuwire::byte_view const pdu = rtuwire::byte_view{held_}.subspan(1, size - 3);
-                if (has_known_fields(pdu) and flaw_of(pdu, role_) == rtuwire::errc::none) {
-                    return size;
-                }
-            }
-        }
-        return 0;
-    }
-
     template <typename Take> void hand_out(std::size_t size, Take& take)
     {
         auto const end = held_.begin() + static_cast<std::ptrdiff_t>(size);

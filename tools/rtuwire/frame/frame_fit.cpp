@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "frame/frame_fit.hpp"
 
+#include <algorithm>
+
 #include <rtuwire/serial_line.hpp>
 
 namespace tool {
@@ -76,6 +78,21 @@ bool is_known_pdu(byte_view pdu)
 {
     return has_known_fields(pdu) and
            (flaw_of(pdu, frame_role::request) == errc::none or flaw_of(pdu, frame_role::response) == errc::none);
+}
+
+std::size_t frame_at_begin(rtuwire::byte_view bytes, rtuwire::frame_role role)
+{
+    rtuwire::running_crc16<> crc;
+    for (std::size_t size = 1; size <= std::min(bytes.size(), rtuwire::max_adu_size); ++size) {
+        crc.add(bytes[size - 1]);
+        if (size >= rtuwire::min_adu_size and crc.value() == 0) {
+            rtuwire::byte_view const pdu = bytes.subspan(1, size - 3);
+            if (has_known_fields(pdu) and flaw_of(pdu, role) == rtuwire::errc::none) {
+                return size;
+            }
+        }
+    }
+    return 0;
 }
 
 } // namespace tool

@@ -32,6 +32,9 @@ namespace tool {
 /// Whether this PDU is a request or a response of a public function, or an exception.
 [[nodiscard]] bool is_known_pdu(rtuwire::byte_view pdu);
 
+/// The size of the frame that bytes begin with, by its CRC and the form of its function; 0 where none is whole.
+[[nodiscard]] std::size_t frame_at_begin(rtuwire::byte_view bytes, rtuwire::frame_role role);
+
 /// Whether its function is one whose fields are known, exception or not.
 [[nodiscard]] bool has_known_fields(rtuwire::byte_view pdu);
 

@@ -422,6 +422,40 @@ drive_catalog const& catalog_of(identity_words const& who, unit_address unit)
 
 std::string text_of(identity_words const& who) { return who.vendor + ' ' + who.product + ' ' + who.revision; }
 
+/// Of one that is of no known drive.
+write_rules rules_of_no_drive(open_line& line, named_unit const& unit, identity_words const& who,
+                              permissions const& allowed)
+{
+    std::string const number = "unit " + std::to_string(unit.unit.byte());
+    bool const is_said = not who.vendor.empty() or not who.product.empty();
+    if (unit.names != nullptr and is_said) {
+        if (auto const why = why_another_device(unit.unit, who, unit.names->vendor, unit.names->product);
+            not why.empty()) {
+            refuse_for_safety(why);
+        }
+    }
+    if (calls_itself_drive(who)) {
+        refuse_for_safety(number + " calls itself '" + who.vendor + ' ' + who.product +
+                          "', a drive; --drive none is for what is none");
+    }
+    drive_marks const marks = marks_of_drive(line, unit.unit);
+    if (marks.open != errc::none) {
+        exit_status const status = status_of(marks.open);
+        throw ended{status == exit_status::differs ? exit_status::refused : status,
+                    number + ": whether it is a drive is not known, so nothing is written: reading register " +
+                        std::to_string(marks.address) + ", where a drive has its status or its command, ends with " +
+                        line.words_of_failure(marks.open)};
+    }
+    if (marks.has_all and not allowed.may_run) {
+        refuse_for_safety(number + (who.product.empty() ? "" : ", a '" + who.product + "',") +
+                          " may be a drive: it has the status word and the command word of one, " +
+                          std::to_string(marks.address) + " and " + std::to_string(marks.command) +
+                          "; --drive none is for what is none; if it is none, say --allow-run besides");
+    }
+    return {nullptr, marks.has_all ? std::optional{marks.command} : std::nullopt, not who.product.empty(),
+            text_of(who)};
+}
+
 } // namespace
 
 drive_catalog const& catalog_of(open_line& line, unit_address unit, std::string const& chosen)
@@ -454,33 +488,29 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
         }
         return {.drive = catalog_named(who.drive), .says = text_of(who)};
     }
-    bool const is_said = not who.vendor.empty() or not who.product.empty();
-    if (unit.names != nullptr and is_said) {
-        if (auto const why = why_another_device(unit.unit, who, unit.names->vendor, unit.names->product);
-            not why.empty()) {
-            refuse_for_safety(why);
-        }
+    return rules_of_no_drive(line, unit, who, allowed);
+}
+
+write_rules rules_of_whoever(open_line& line, named_unit const& unit, permissions const& allowed)
+{
+    std::string const number = "unit " + std::to_string(unit.unit.byte());
+    bool const is_said = not unit.drive.empty() and unit.drive != no_drive;
+    drive_catalog const* const said = is_said ? &catalog_chosen(unit.drive) : nullptr;
+    identity_words const who = who_is_it(line, unit.unit);
+    if (who.outcome != exit_status::done and who.outcome != exit_status::differs and not who.has_answered) {
+        throw ended{who.outcome, number + ": " + who.note};
     }
-    if (calls_itself_drive(who)) {
-        refuse_for_safety(number + " calls itself '" + who.vendor + ' ' + who.product +
-                          "', a drive; --drive none is for what is none");
+    bool const is_drive = not who.drive.empty() or who.may_be_drive;
+    if (said != nullptr and (not is_drive or is_of_another_family(who, *said))) {
+        refuse_for_safety(number + " is said to be an " + std::string{said->name} + ", and " +
+                          (is_drive ? "is not" : "nothing of it tells that it is"));
     }
-    drive_marks const marks = marks_of_drive(line, unit.unit);
-    if (marks.open != errc::none) {
-        exit_status const status = status_of(marks.open);
-        throw ended{status == exit_status::differs ? exit_status::refused : status,
-                    number + ": whether it is a drive is not known, so nothing is written: reading register " +
-                        std::to_string(marks.address) + ", where a drive has its status or its command, ends with " +
-                        line.words_of_failure(marks.open)};
+    if (not who.drive.empty()) {
+        return {.drive = catalog_named(who.drive), .says = text_of(who)};
     }
-    if (marks.has_all and not allowed.may_run) {
-        refuse_for_safety(number + (who.product.empty() ? "" : ", a '" + who.product + "',") +
-                          " may be a drive: it has the status word and the command word of one, " +
-                          std::to_string(marks.address) + " and " + std::to_string(marks.command) +
-                          "; --drive none is for what is none; if it is none, say --allow-run besides");
-    }
-    return {nullptr, marks.has_all ? std::optional{marks.command} : std::nullopt, not who.product.empty(),
-            text_of(who)};
+    // Which of its family it is, somebody may know better.
+    return said != nullptr ? write_rules{.drive = said, .says = text_of(who)}
+                           : rules_of_no_drive(line, unit, who, allowed);
 }
 
 } // namespace tool

@@ -74,6 +74,10 @@ struct write_rules {
 /// that calls itself a drive of another family than the one that was said, or another device than its register file is of.
 write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed);
 
+/// The same by what the unit tells of itself alone: of the table of the drive that it is, else as of one that was said to be
+/// none. A type that somebody said only keeps another from being taken for it.
+write_rules rules_of_whoever(open_line& line, named_unit const& unit, permissions const& allowed);
+
 /// The catalog of that name; refuses others with the nearest.
 drive_catalog const& catalog_chosen(std::string const& name);
 

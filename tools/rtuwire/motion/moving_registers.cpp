@@ -86,6 +86,18 @@ bool commands_a_motor(std::uint16_t address, drive_catalog const& drive)
            is_command or is_scanner_output;
 }
 
+bool runs_a_drive(std::uint16_t address)
+{
+    // Those that are not rows of every drive: CMDD and LFRD, what is between the command and its extension, and the ATV28's.
+    constexpr std::uint16_t others[]{400, 401, 8501, 8502, 8503, 8504, 8601, 8602};
+    return std::ranges::count(others, address) > 0 or
+           std::ranges::any_of(all_catalogs(), [address](drive_catalog const* each) {
+               register_entry const* const entry = each->at(address);
+               bool const is_channel = entry != nullptr and role_of(*entry) == parameter_role::channel;
+               return is_channel or commands_a_motor(address, *each);
+           });
+}
+
 std::string why_it_may_move(register_entry const& entry)
 {
     if (not entry.is_writable()) {

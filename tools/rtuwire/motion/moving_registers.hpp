@@ -15,6 +15,10 @@ namespace tool {
 /// these.
 bool commands_a_motor(std::uint16_t address, drive_catalog const& drive);
 
+/// Whether it runs the motor of any drive that is known, or says who runs it: its commands and references, its extended command,
+/// and its channels (CHCF, CD1, FR1 and the like).
+bool runs_a_drive(std::uint16_t address);
+
 /// Why a motor may turn after a write to a register, though it stood, as what follows its name; empty where it may not.
 std::string why_it_may_move(register_entry const& entry);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "exit_status.hpp"
@@ -177,9 +178,43 @@ bool may_change_something(byte_view pdu, functions_within which)
                                                                   : is_as_specified(pdu) and not only_reads(pdu));
 }
 
+/// The values that a request writes, checked as `write` checks them.
+std::vector<value_to_write> checked_places(byte_view pdu, open_line& line, named_unit const& unit,
+                                           write_rules const& rules, choices const& chosen)
+{
+    if (code_of(pdu) == function_code::mask_write_register) {
+        bool const is_drive = rules.drive != nullptr;
+        refuse_command({.where = {word_at(pdu, 1)}}, rules, chosen);
+        if (is_drive or rules.command) {
+            refuse_for_safety("unit " + std::to_string(unit.unit.byte()) +
+                              (is_drive ? " is an " + std::string{rules.drive->name} : " may be a drive") + ": what " +
+                              words_of_function(pdu) +
+                              ", makes of its register is not known before, as that of the command write is");
+        }
+    }
+    return checked_values(values_written(pdu), line, unit, rules, chosen);
+}
+
+/// Ends the command where a register runs a motor of some drive, or tells it who does.
+void refuse_what_runs_drives(byte_view pdu)
+{
+    if (not place_writes.contains(code_of(pdu)) or coil_writes.contains(code_of(pdu))) {
+        return;
+    }
+    bool const has_several = register_writes.contains(code_of(pdu));
+    written_registers const it = has_several ? registers_written(pdu) : written_registers{word_at(pdu, 1), 1, 0};
+    for (std::size_t i = 0; i < it.count; ++i) {
+        auto const address = static_cast<std::uint16_t>(it.first + i);
+        if (runs_a_drive(address)) {
+            refuse_for_safety("register " + std::to_string(address) +
+                              " runs a drive, or says who does, and this unit does not say that it is none");
+        }
+    }
+}
+
 } // namespace
 
-bool only_reads(byte_view pdu)
+bool has_reading_function(byte_view pdu)
 {
     using enum function_code;
     constexpr rtuwire::function_set reading{read_coils,           read_discrete_inputs,  read_holding_registers,
@@ -188,8 +223,10 @@ bool only_reads(byte_view pdu)
                                             read_fifo_queue};
     bool const says_back = code_of(pdu) == diagnostics and pdu.size() > 2 and word_at(pdu, 1) == 0;
     bool const identifies = code_of(pdu) == encapsulated_interface and pdu.size() > 1 and pdu[1] == std::byte{14};
-    return (reading.contains(code_of(pdu)) or says_back or identifies) and is_as_specified(pdu);
+    return reading.contains(code_of(pdu)) or says_back or identifies;
 }
+
+bool only_reads(byte_view pdu) { return has_reading_function(pdu) and is_as_specified(pdu); }
 
 byte_view changing_frame_in(byte_view bytes, functions_within which, std::size_t from)
 {
@@ -248,31 +285,44 @@ std::vector<value_to_write> checked_request(byte_view pdu, open_line& line, name
     std::string const number = "unit " + std::to_string(unit.unit.byte());
     std::string const what = words_of_function(pdu);
     bool const is_drive = rules.drive != nullptr;
-    if (code_of(pdu) == function_code::mask_write_register) {
-        refuse_command({.where = {word_at(pdu, 1)}}, rules, chosen);
-        if (is_drive or rules.command) {
-            refuse_for_safety(number + (is_drive ? " is an " + std::string{rules.drive->name} : " may be a drive") +
-                              ": what " + what +
-                              ", makes of its register is not known before, as that of the command write is");
-        }
-    }
-    std::vector<value_to_write> values = checked_values(values_written(pdu), line, unit, rules, chosen);
+    std::vector<value_to_write> values = checked_places(pdu, line, unit, rules, chosen);
     if (reaches_objects(pdu) and (is_drive or rules.command)) {
         refuse_for_safety(number + (is_drive ? " is a drive: " : " may be a drive: ") + what +
                           " of type 13, reaches its command as well");
     }
     if (not chosen.allowed.may_run and not is_as_specified(pdu)) {
         refuse_for_safety(what +
-                          ": its data is not as the specification has it, so nobody knows what a unit makes of it; "
-                          "to send it, say --allow-run besides");
+                          ": its data is not as the specification has it, so nobody knows what a unit makes of it" +
+                          chosen.allowed.by_run("send"));
     }
     if (not chosen.allowed.may_run and not rules.says_it_is_none) {
         refuse_for_safety(number +
                           (is_drive ? " is an " + std::string{rules.drive->name}
                                     : " does not say by function 2B what it is, and may be a drive") +
-                          ": a motor may turn after " + what + "; to send it, say --allow-run besides");
+                          ": a motor may turn after " + what + chosen.allowed.by_run("send"));
     }
     return values;
+}
+
+void refuse_for_client(byte_view pdu, open_line& line, named_unit const& unit, write_rules const& rules,
+                       choices const& chosen)
+{
+    refuse_unreadable(pdu);
+    bool const is_known = rules.drive != nullptr or rules.says_it_is_none;
+    if (not is_known) {
+        refuse_what_runs_drives(pdu);
+    }
+    bool const writes_places = place_writes.contains(code_of(pdu));
+    std::vector<value_to_write> const values = writes_places ? checked_places(pdu, line, unit, rules, chosen)
+                                                             : checked_request(pdu, line, unit, rules, chosen);
+    if (rules.drive == nullptr) {
+        refuse_frame_within(frame_of(std::byte{unit.unit.byte()}, pdu),
+                            writes_places ? functions_within::public_ones : functions_within::any);
+        return;
+    }
+    if (std::optional<ended> const why = why_not_now(values, line, unit.unit, *rules.drive, chosen.allowed)) {
+        throw ended{*why};
+    }
 }
 
 void refuse_broadcast(byte_view pdu, choices const& chosen)

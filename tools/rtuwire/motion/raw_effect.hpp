@@ -17,6 +17,9 @@
 
 namespace tool {
 
+/// Whether a request is of a function, and of a part of it, by which a unit of whatever maker is only read.
+[[nodiscard]] bool has_reading_function(rtuwire::byte_view pdu);
+
 /// Whether a request only reads, on a unit of whatever maker, and is as the specification has it.
 [[nodiscard]] bool only_reads(rtuwire::byte_view pdu);
 
@@ -42,6 +45,13 @@ void refuse_unreadable(rtuwire::byte_view pdu);
 /// `write` checks them; none where they are no registers and no coils, or a mask.
 std::vector<value_to_write> checked_request(rtuwire::byte_view pdu, open_line& line, named_unit const& unit,
                                             write_rules const& rules, choices const& chosen);
+
+/// Ends the command where this unit may not be sent this request, which is as the specification has it, for a client that sends
+/// what it likes: registers and coils by the rules of `write`, all else by those of `ask`. What is not known to be another device
+/// gets none of the addresses by which a drive is run, or is told who runs it. Asks the unit where that depends on it, so this is
+/// asked before each.
+void refuse_for_client(rtuwire::byte_view pdu, open_line& line, named_unit const& unit, write_rules const& rules,
+                       choices const& chosen);
 
 /// The same of a request to all units, of which nobody knows who they are.
 void refuse_broadcast(rtuwire::byte_view pdu, choices const& chosen);

@@ -18,7 +18,7 @@ namespace {
 void refuse_without_run(permissions const& allowed, std::string const& why)
 {
     if (not allowed.may_run) {
-        refuse_for_safety(why + "; to write it, say --allow-run besides");
+        refuse_for_safety(why + allowed.by_run("write"));
     }
 }
 
@@ -88,9 +88,10 @@ std::optional<ended> why_not_now(std::vector<value_to_write> const& values, open
     if (not why) {
         return std::nullopt;
     }
-    return ended{why->status, std::string{which->entry->code} + " " + why_it_runs_otherwise(*which->entry) +
-                                  ": a motor that runs turns otherwise after it, and " + why->what() +
-                                  "; to write it to a drive with power, say --allow-run besides"};
+    return ended{why->status,
+                 std::string{which->entry->code} + " " + why_it_runs_otherwise(*which->entry) +
+                     ": a motor that runs turns otherwise after it, and " + why->what() +
+                     (allowed.knows_run ? "; to write it to a drive with power, say --allow-run besides" : "")};
 }
 
 void refuse_command(value_to_write const& value, write_rules const& rules, choices const& chosen)
