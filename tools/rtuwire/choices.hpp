@@ -123,6 +123,16 @@ struct chaos_choices {
     bool is_dry{false};
 };
 
+/// A line that many clients ask.
+struct serve_choices {
+    std::vector<std::string> listen{}; ///< "mbap://127.0.0.1:1502"; empty: that
+    std::string units{};               ///< "1-4,7"; empty: all but drives
+    std::string functions{};           ///< "3,4,16"; empty: all
+    std::vector<std::string> from{};   ///< "192.168.1.0/24"; empty: from anywhere
+    bool may_broadcast{false};
+    std::string metrics{}; ///< "127.0.0.1:9502"; empty: none
+};
+
 struct choices {
     std::string command{};
     output_form form{output_form::table};
@@ -134,6 +144,7 @@ struct choices {
     restore_choices restore{};
     check_choices check{};
     chaos_choices chaos{};
+    serve_choices serve{};
 
     std::vector<std::string> words{}; ///< registers, bytes, drives
     bool finds_setting{false};        ///< tries the usual bit rates and formats

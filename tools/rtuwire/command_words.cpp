@@ -422,6 +422,33 @@ void add_chaos(CLI::App& app, choices& chosen)
                              "Exit status: 0 where requests came, also by Ctrl-C; 3 where none did.");
 }
 
+void add_serve(CLI::App& app, choices& chosen)
+{
+    CLI::App& serve = add_command(app, chosen, "serve", "let many clients ask the units of one line, by Modbus TCP");
+    serve_choices& with = chosen.serve;
+    serve
+        .add_option("--listen", with.listen,
+                    "where: mbap://127.0.0.1:1502 (as without one) is Modbus TCP, tcp://127.0.0.1:4001 RTU frames over "
+                    "TCP; port 0 is any that is free")
+        ->allow_extra_args(false);
+    serve.add_option("--units", with.units,
+                     "the units that are served, 1-4,7; drives as well. Without it all but drives");
+    serve.add_option("--functions", with.functions, "the functions that are served, 3,4,16 or 0x10");
+    serve
+        .add_option("--from", with.from,
+                    "the clients that are served, 192.168.1.0/24 or fd00::/8; all others are hung up on")
+        ->allow_extra_args(false);
+    serve.add_flag("--allow-broadcast", with.may_broadcast, "send to all units what clients send to unit 0 (--write)");
+    serve.add_option("--metrics", with.metrics, "where GET /metrics tells figures to Prometheus: 127.0.0.1:9502");
+    add_time_limit(serve, chosen);
+    add_to_footer(
+        serve,
+        "It reads. With --write it passes on what the command write would, to drives as well; nothing by which a\n"
+        "motor may turn, nor --allow-run. --write beyond this machine needs --from.\n"
+        "Exceptions of its own: 01 refused here; 03 not as the specification has it; 06 too many requests wait, "
+        "or this\none waited 5 s; 0A no such unit here; 0B the unit did not answer, or the line is away.");
+}
+
 /// What the program says of itself.
 void add_own_texts(CLI::App& app, choices& chosen)
 {
@@ -446,6 +473,7 @@ void add_words(CLI::App& app, choices& chosen)
     add_device(app, chosen);
     add_check(app, chosen);
     add_chaos(app, chosen);
+    add_serve(app, chosen);
     add_own_texts(app, chosen);
 }
 

@@ -111,6 +111,9 @@ std::string const& any_port::failure() const noexcept
 
 result<void> any_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
 {
+    if (attendant_ != nullptr and attendant_->is_over()) {
+        return errc::cancelled;
+    }
     auto const written = std::visit([&](auto& port) { return port.write(bytes, until); }, port_);
     has_taken_last_ = written and not is_gone_;
     has_sent_ = has_sent_ or written;
@@ -120,10 +123,28 @@ result<void> any_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
 
 result<rtuwire::byte_span> any_port::read(rtuwire::byte_span place, rtuwire::instant until)
 {
-    auto const bytes = std::visit([&](auto& port) { return port.read(place, until); }, port_);
+    auto const bytes = attendant_ != nullptr and is_open()
+                           ? read_attended(place, until)
+                           : std::visit([&](auto& port) { return port.read(place, until); }, port_);
     heard_ += bytes ? bytes->size() : 0;
     note_failure(bytes.error());
     return bytes;
+}
+
+/// What the port has already is read first: it may be in no descriptor any more.
+result<rtuwire::byte_span> any_port::read_attended(rtuwire::byte_span place, rtuwire::instant until)
+{
+    auto const read_now = [&] { return std::visit([&](auto& port) { return port.read(place, now()); }, port_); };
+    auto const bytes = read_now();
+    has_receive_error_ = has_receive_error_ or take_receive_error();
+    if (not bytes or not bytes->empty() or has_receive_error_) {
+        return bytes;
+    }
+    attendant_->wait(descriptor_number(), until);
+    if (attendant_->is_over()) {
+        return errc::cancelled;
+    }
+    return read_now();
 }
 
 /// A server that is spoken to in the other of both protocols closes the connection, or answers what is none of this one.
@@ -190,6 +211,9 @@ rtuwire::byte_view any_port::as_sent(rtuwire::byte_view frame, rtuwire::byte_spa
 bool any_port::take_receive_error() noexcept
 {
     auto* const device = std::get_if<posix_serial>(&port_);
+    if (std::exchange(has_receive_error_, false)) {
+        return true;
+    }
     bool const is_damaged = device != nullptr and device->take_receive_error();
     heard_ += is_damaged ? 1U : 0U;
     return is_damaged;

@@ -16,6 +16,20 @@
 
 namespace tool {
 
+/// What a program does while a port waits for bytes.
+class port_attendant {
+public:
+    port_attendant() = default;
+    port_attendant(port_attendant const&) = delete;
+    port_attendant& operator=(port_attendant const&) = delete;
+    virtual ~port_attendant() = default;
+
+    /// Returns once the descriptor can be read, or the deadline has passed.
+    virtual void wait(int descriptor, rtuwire::instant until) = 0;
+    /// Whether nothing is to be waited for any more, and nothing sent.
+    [[nodiscard]] virtual bool is_over() const = 0;
+};
+
 /// A port. Can be moved; its destructor closes it, and ends the drives that were simulated for it.
 class any_port {
 public:
@@ -40,6 +54,9 @@ public:
     /// The times that suit the port: of a wire with these settings, behind a USB adapter or not, or of none; with the pause
     /// that was wanted since it was opened.
     [[nodiscard]] rtuwire::line_timing timing() const noexcept { return timing_; }
+
+    /// From here on it waits by this one, which outlives it. Once that is over, reads and writes end with `cancelled`.
+    void attend(port_attendant& attendant) noexcept { attendant_ = &attendant; }
 
     /// The system's number of it, for `poll`; -1 where none is open.
     [[nodiscard]] int descriptor_number() const noexcept;
@@ -91,6 +108,7 @@ private:
     rtuwire::result<void> open_one(simulated_drives_choice const& chosen, rtuwire::serial_settings const& settings);
     rtuwire::result<void> open_one(capture_file const& chosen, rtuwire::serial_settings const& settings);
 
+    rtuwire::result<rtuwire::byte_span> read_attended(rtuwire::byte_span place, rtuwire::instant until);
     void note_failure(rtuwire::errc why);
     std::string other_protocol() const;
 
@@ -101,6 +119,8 @@ private:
     bool has_sent_{false};
     bool has_taken_last_{false};
     bool is_gone_{false};
+    bool has_receive_error_{false}; ///< that was taken from the port
+    port_attendant* attendant_{nullptr};
     std::string own_failure_{}; ///< where it is not the port's
 };
 

@@ -61,8 +61,10 @@ std::string host_in(std::string_view host)
     return std::string{has_brackets ? host.substr(1, host.size() - 2) : host};
 }
 
-/// A host and the port of its server; or what is wrong with them. Behind `start` no port stands for `usual`, where there is one.
-meaning read_host(std::string const& start, std::string_view place, std::optional<std::uint32_t> usual)
+/// A host and the port of its server, which is `least` or more; or what is wrong with them. Behind `start` no port stands for
+/// `usual`, where there is one.
+meaning read_host(std::string const& start, std::string_view place, std::optional<std::uint32_t> usual,
+                  std::uint32_t least)
 {
     std::string const example = usual ? "mbap://host" : "tcp://host:4001";
     std::string const likely = usual ? "" : ":4001";
@@ -88,8 +90,9 @@ meaning read_host(std::string const& start, std::string_view place, std::optiona
                          ? std::string{}
                          : start + number + (has_port ? ":" + std::string{behind} : likely));
     }
-    if (not port or *port == 0 or *port > 0xFFFF) {
-        return wrong("a port is a number from 1 to 65535", start + std::string{host} + likely);
+    if (not port or *port < least or *port > 0xFFFF) {
+        return wrong("a port is a number from " + std::to_string(least) + " to 65535",
+                     start + std::string{host} + likely);
     }
     auto const number = static_cast<std::uint16_t>(*port);
     return usual ? found(mbap_address{host_in(host), number}) : found(tcp_address{host_in(host), number});
@@ -150,13 +153,28 @@ meaning read_drives(std::string_view words)
                               : wrong(drives.why, drives.nearest.empty() ? "" : "sim:" + drives.nearest);
 }
 
-meaning read(std::string_view word)
+/// Of a server, or of who listens; nothing where the word is of another kind.
+std::optional<meaning> read_address(std::string_view word, std::uint32_t least)
 {
     if (starts_with_word(word, "tcp://")) {
-        return read_host("tcp://", word.substr(6), std::nullopt);
+        return read_host("tcp://", word.substr(6), std::nullopt, least);
     }
     if (starts_with_word(word, "mbap://")) {
-        return read_host("mbap://", word.substr(7), mbap_address{}.port);
+        return read_host("mbap://", word.substr(7), mbap_address{}.port, least);
+    }
+    return std::nullopt;
+}
+
+meaning read_listening(std::string_view word)
+{
+    auto const address = read_address(word, 0);
+    return address ? *address : wrong("an address to listen at is like mbap://127.0.0.1:1502 or tcp://127.0.0.1:4001");
+}
+
+meaning read(std::string_view word)
+{
+    if (auto const address = read_address(word, 1)) {
+        return *address;
     }
     if (starts_with_word(word, "sim:")) {
         return read_drives(word.substr(4));
@@ -167,17 +185,15 @@ meaning read(std::string_view word)
     return has_scheme and word.front() != '/' and word.front() != '.' ? unknown(word) : read_path(word);
 }
 
-} // namespace
-
-port_choice read_port_word(std::string_view word)
+port_choice choice_of(std::string_view word, meaning (*read_word)(std::string_view))
 {
-    meaning meant = read(word);
+    meaning meant = read_word(word);
     if (meant.port) {
         return {std::move(*meant.port)};
     }
     std::string sentence = "port " + std::string{word} + ": " + meant.why;
     // A word with two mistakes: what mends one of them is no help.
-    if (not meant.nearest.empty() and not read(meant.nearest).port) {
+    if (not meant.nearest.empty() and not read_word(meant.nearest).port) {
         meant.nearest.clear();
     }
     if (not meant.nearest.empty()) {
@@ -185,5 +201,11 @@ port_choice read_port_word(std::string_view word)
     }
     return {{}, refusal{"wrong_port", std::string{word}, std::move(sentence), std::move(meant.nearest)}};
 }
+
+} // namespace
+
+port_choice read_port_word(std::string_view word) { return choice_of(word, read); }
+
+port_choice read_listen_word(std::string_view word) { return choice_of(word, read_listening); }
 
 } // namespace tool

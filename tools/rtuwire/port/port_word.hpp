@@ -71,4 +71,7 @@ struct port_choice {
 
 [[nodiscard]] port_choice read_port_word(std::string_view word);
 
+/// The same of an address to listen at, tcp or mbap, where port 0 is any that is free.
+[[nodiscard]] port_choice read_listen_word(std::string_view word);
+
 } // namespace tool

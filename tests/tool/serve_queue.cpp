@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Whose request is next where many wait, and how much of a line's time a unit costs that does not answer. All time is this
+// test's own.
+#include "serve/request_queue.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <vector>
+
+#include "serve/silent_units.hpp"
+#include "support/catch.hpp"
+
+using namespace std::chrono_literals;
+using tool::request_queue;
+using tool::serve_time;
+using tool::served_request;
+
+namespace {
+
+serve_time const begin{std::chrono::hours{1}};
+
+served_request request_of(std::uint64_t client, std::uint16_t number, serve_time came = begin)
+{
+    return {.client = client, .number = number, .unit = 1, .pdu = {std::byte{3}}, .came = came};
+}
+
+} // namespace
+
+TEST_CASE("serve: a client with many requests keeps nobody waiting behind them")
+{
+    request_queue queue;
+    for (std::uint16_t i = 0; i < 16; ++i) {
+        REQUIRE(queue.add(request_of(1, i)));
+    }
+    REQUIRE(queue.add(request_of(2, 100)));
+    REQUIRE(queue.add(request_of(9, 200)));
+    std::vector<std::uint64_t> order;
+    std::vector<std::uint16_t> of_first;
+    while (auto const next = queue.take()) {
+        order.push_back(next->client);
+        if (next->client == 1) {
+            of_first.push_back(next->number);
+        }
+    }
+    CHECK(std::vector<std::uint64_t>{order.begin(), order.begin() + 4} == std::vector<std::uint64_t>{1, 2, 9, 1});
+    CHECK(order.size() == 18);
+    CHECK(std::ranges::is_sorted(of_first));
+    CHECK(of_first.size() == 16);
+}
+
+TEST_CASE("serve: between two turns of a client that waits each other has one at most, whoever comes and goes")
+{
+    std::mt19937 random{20261130};
+    request_queue queue;
+    std::map<std::uint64_t, std::size_t> waiting;                           // how many of each, by this test
+    std::map<std::uint64_t, std::map<std::uint64_t, unsigned>> turns_since; // of a client that waits: turns of others
+    for (unsigned step = 0; step < 200'000; ++step) {
+        std::uint64_t const client = 1 + random() % 32;
+        auto const what = static_cast<unsigned>(random() % 100);
+        if (what < 55) {
+            bool const is_room = waiting[client] < 16 and queue.size() < 256;
+            REQUIRE(queue.add(request_of(client, 0)) == is_room);
+            if (is_room and ++waiting[client] == 1) {
+                turns_since[client].clear();
+            }
+        } else if (what < 99) {
+            auto const next = queue.take();
+            std::size_t const all = [&] {
+                std::size_t sum = 0;
+                for (auto const& [of, count] : waiting) {
+                    sum += count;
+                }
+                return sum;
+            }();
+            REQUIRE(next.has_value() == (all > 0));
+            if (next) {
+                REQUIRE(waiting[next->client] > 0);
+                --waiting[next->client];
+                for (auto& [of, turns] : turns_since) {
+                    if (of != next->client and waiting[of] > 0) {
+                        REQUIRE(++turns[next->client] <= 1);
+                    }
+                }
+                turns_since[next->client].clear();
+            }
+        } else {
+            queue.drop(client);
+            waiting[client] = 0;
+        }
+    }
+}
+
+TEST_CASE("serve: a queue has limits, of a client and of all")
+{
+    request_queue queue;
+    for (std::uint16_t i = 0; i < 16; ++i) {
+        REQUIRE(queue.add(request_of(1, i)));
+    }
+    CHECK_FALSE(queue.add(request_of(1, 16)));
+    for (std::uint64_t client = 2; client <= 16; ++client) {
+        for (std::uint16_t i = 0; i < 16; ++i) {
+            REQUIRE(queue.add(request_of(client, i)));
+        }
+    }
+    CHECK(queue.size() == 256);
+    CHECK_FALSE(queue.add(request_of(99, 0)));
+    REQUIRE(queue.take());
+    CHECK(queue.add(request_of(99, 0)));
+}
+
+TEST_CASE("serve: of a client that left nothing is taken, and what is old is handed out once")
+{
+    request_queue queue;
+    REQUIRE(queue.add(request_of(1, 1)));
+    REQUIRE(queue.add(request_of(2, 2, begin + 1s)));
+    REQUIRE(queue.add(request_of(2, 3, begin + 3s)));
+    CHECK(queue.next_old() == begin + 5s);
+    queue.drop(1);
+    CHECK(queue.next_old() == begin + 6s);
+    CHECK(queue.take_old(begin + 6s - 1ns).empty());
+    auto const old = queue.take_old(begin + 6s);
+    REQUIRE(old.size() == 1);
+    CHECK(old[0].number == 2);
+    CHECK(queue.take_old(begin + 6s).empty());
+    CHECK(queue.size() == 1);
+    CHECK(queue.take()->number == 3);
+    CHECK_FALSE(queue.take());
+    CHECK_FALSE(queue.next_old());
+}
+
+namespace {
+
+/// Two clients that ask at once again, of unit 9, which is off, and of unit 1, which answers within 10 ms. A time-out takes 1 s.
+struct shared_line {
+    tool::silent_units silent{};
+    serve_time now = begin;
+    unsigned answered{0};
+    unsigned timed_out{0};
+    std::chrono::nanoseconds longest_wait{0}; ///< between two answers of unit 1
+
+    void run(std::chrono::seconds time, bool has_other)
+    {
+        serve_time const end = now + time;
+        serve_time latest = now;
+        while (now < end) {
+            silent.note_request(9, now);
+            if (silent.is_due(9, now)) {
+                now += 1s;
+                ++timed_out;
+                silent.note(9, false, now);
+            }
+            now += 10ms; // the client's own time, or unit 1's
+            if (has_other) {
+                silent.note_request(1, now);
+                REQUIRE(silent.is_due(1, now));
+                silent.note(1, true, now);
+                longest_wait = std::max<std::chrono::nanoseconds>(longest_wait, now - latest);
+                latest = now;
+                ++answered;
+            }
+        }
+    }
+};
+
+} // namespace
+
+TEST_CASE("serve: a unit that is off costs the others one time-out now and then")
+{
+    shared_line line;
+    line.run(300s, true);
+    // Behind pauses of 0.25, 0.5, 1, 2, 4 and then 8 s: a time-out each 9 s, and 6 at the beginning.
+    CHECK(line.timed_out <= 300 / 9 + 6);
+    CHECK(line.timed_out >= 300 / 10);
+    CHECK(line.longest_wait <= 1'010ms);
+    CHECK(line.answered > 25'000);
+}
+
+TEST_CASE("serve: a unit that nobody else waits beside is asked each time")
+{
+    shared_line line;
+    line.run(60s, false);
+    CHECK(line.timed_out == 60);
+    line.run(30s, true); // its pause is the longest by now
+    CHECK(line.timed_out <= 60 + 4);
+}
+
+TEST_CASE("serve: that a unit falls silent is news once, and that it is back")
+{
+    tool::silent_units units;
+    CHECK_FALSE(units.note(7, true, begin));
+    CHECK(units.note(7, false, begin));
+    CHECK_FALSE(units.note(7, false, begin + 1s));
+    CHECK(units.is_silent(7));
+    CHECK(units.note(7, true, begin + 2s));
+    CHECK_FALSE(units.is_silent(7));
+    units.note_request(7, begin + 2s);
+    units.note_request(8, begin + 2s);
+    CHECK(units.is_due(7, begin + 2s));
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "serve/client_range.hpp"
+
+#include <algorithm>
+
+#include <arpa/inet.h>
+
+#include "port/usage_error.hpp"
+
+namespace tool {
+
+namespace {
+
+constexpr unsigned bits_of_six = 128;
+constexpr unsigned bits_before_four = 96; ///< where IPv6 maps IPv4
+
+} // namespace
+
+std::optional<client_range::bytes> client_range::bytes_of(std::string const& host)
+{
+    bytes all{};
+    if (::inet_pton(AF_INET, host.c_str(), &all[12]) == 1) {
+        all[10] = all[11] = 0xFF;
+        return all;
+    }
+    return ::inet_pton(AF_INET6, host.c_str(), all.data()) == 1 ? std::optional{all} : std::nullopt;
+}
+
+client_range::bytes client_range::begin_of(bytes const& address, unsigned length)
+{
+    bytes begin{};
+    for (unsigned bit = 0; bit < length; ++bit) {
+        begin[bit / 8] = static_cast<std::uint8_t>(begin[bit / 8] | (address[bit / 8] & (0x80U >> bit % 8)));
+    }
+    return begin;
+}
+
+std::optional<client_range> client_range::of(std::string const& word)
+{
+    std::size_t const slash = word.find('/');
+    std::string const host = word.substr(0, slash);
+    auto const all = bytes_of(host);
+    unsigned const before = host.find(':') == host.npos ? bits_before_four : 0;
+    unsigned const most = bits_of_six - before;
+    auto const typed = slash == word.npos ? std::optional<std::uint32_t>{most} : number_in(word.substr(slash + 1));
+    if (not all or not typed or *typed > most) {
+        return std::nullopt;
+    }
+    client_range range;
+    range.length_ = before + *typed;
+    range.first_ = *all;
+    return begin_of(*all, range.length_) == *all ? std::optional{range} : std::nullopt;
+}
+
+bool client_range::has(std::string const& host) const
+{
+    auto const all = bytes_of(host);
+    return all and begin_of(*all, length_) == first_;
+}
+
+bool is_loopback(std::string const& host)
+{
+    return client_range::of("127.0.0.0/8")->has(host) or client_range::of("::1")->has(host);
+}
+
+std::string host_of(std::string const& place)
+{
+    bool const has_brackets = place.starts_with('[');
+    std::string const host = has_brackets ? place.substr(1, place.find(']') - 1) : place.substr(0, place.rfind(':'));
+    return host.substr(0, host.find('%'));
+}
+
+} // namespace tool

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Addresses of clients: "192.168.1.0/24", "fd00::/8", "10.0.0.7".
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace tool {
+
+class client_range {
+public:
+    /// Nothing where a word is none: also where bits behind its length are set, for nobody knows what was meant.
+    [[nodiscard]] static std::optional<client_range> of(std::string const& word);
+
+    /// Whether an address is one of them; `host` is its number. One of IPv4 is the same as IPv6 maps it.
+    [[nodiscard]] bool has(std::string const& host) const;
+
+private:
+    using bytes = std::array<std::uint8_t, 16>; ///< of IPv6; one of IPv4 as IPv6 maps it
+
+    static std::optional<bytes> bytes_of(std::string const& host);
+    static bytes begin_of(bytes const& address, unsigned length);
+
+    bytes first_{};
+    unsigned length_{0}; ///< so many bits are the same
+};
+
+/// Whether it is an address by which this machine reaches itself, and nobody else does.
+[[nodiscard]] bool is_loopback(std::string const& host);
+
+/// The host of "192.168.1.7:50123", "[fd00::1%eth0]:50123", by its number alone.
+[[nodiscard]] std::string host_of(std::string const& place);
+
+} // namespace tool

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "serve/client_requests.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "frame/frame_fit.hpp"
+
+namespace tool {
+
+namespace {
+
+served_request request_in(std::uint16_t number, rtuwire::byte_view unit_and_pdu, serve_time now)
+{
+    return {.number = number,
+            .unit = std::to_integer<std::uint8_t>(unit_and_pdu[0]),
+            .pdu = {unit_and_pdu.begin() + 1, unit_and_pdu.end()},
+            .came = now};
+}
+
+} // namespace
+
+rtuwire::byte_span client_requests::room()
+{
+    return is_rtu_ ? rtuwire::byte_span{bytes_}.subspan(size_) : messages_.room();
+}
+
+void client_requests::add(std::size_t count, serve_time now)
+{
+    if (is_rtu_) {
+        size_ += count;
+    } else {
+        messages_.add(count);
+    }
+    latest_ = now;
+    begun_ = begun_ ? begun_ : std::optional{now};
+}
+
+std::optional<served_request> client_requests::take(serve_time now)
+{
+    auto const request = is_rtu_ ? take_frame(now) : take_message(now);
+    bool const has_rest = is_rtu_ ? size_ > 0 : not messages_.bytes().empty();
+    if (request) {
+        begun_ = has_rest ? std::optional{now} : std::nullopt;
+    } else if (not has_rest and not is_rtu_) {
+        begun_.reset();
+    }
+    return request;
+}
+
+std::optional<served_request> client_requests::take_message(serve_time now)
+{
+    auto const message = messages_.first();
+    if (not message) {
+        return std::nullopt;
+    }
+    served_request request = request_in(message->number, message->body, now);
+    messages_.drop_first();
+    return request;
+}
+
+std::optional<served_request> client_requests::take_frame(serve_time now)
+{
+    std::size_t size = frame_at_begin(rtuwire::byte_view{bytes_}.first(size_), rtuwire::frame_role::request);
+    bool const is_silent = size_ > 0 and now - latest_ >= silence;
+    bool const is_too_long = size_ >= rtuwire::max_adu_size;
+    if (size == 0 and (is_silent or is_too_long)) {
+        // Of a function that is not public the silence ends it.
+        bool const is_frame = is_silent and size_ >= rtuwire::min_adu_size and size_ <= rtuwire::max_adu_size and
+                              rtuwire::crc16(rtuwire::byte_view{bytes_}.first(size_)) == 0;
+        size = is_frame ? size_ : 0;
+        if (not is_frame) {
+            dropped_ += size_;
+            drop(size_);
+        }
+    }
+    if (size == 0) {
+        return std::nullopt;
+    }
+    served_request request = request_in(0, rtuwire::byte_view{bytes_}.first(size - 2), now);
+    drop(size);
+    return request;
+}
+
+void client_requests::drop(std::size_t count)
+{
+    std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(count), bytes_.begin() + static_cast<std::ptrdiff_t>(size_),
+              bytes_.begin());
+    size_ -= count;
+}
+
+bool client_requests::is_broken() const { return not is_rtu_ and messages_.fault() != rtuwire::mbap_fault::none; }
+
+std::size_t client_requests::take_dropped() { return std::exchange(dropped_, 0); }
+
+std::optional<serve_time> client_requests::part_ends() const
+{
+    return begun_ ? std::optional{*begun_ + longest_part} : std::nullopt;
+}
+
+std::optional<serve_time> client_requests::silence_ends() const
+{
+    return is_rtu_ and size_ > 0 ? std::optional{latest_ + silence} : std::nullopt;
+}
+
+std::vector<std::byte> client_requests::answer(served_request const& to, rtuwire::byte_view pdu) const
+{
+    std::vector<std::byte> frame = frame_of(std::byte{to.unit}, pdu);
+    if (is_rtu_) {
+        return frame;
+    }
+    std::array<std::byte, rtuwire::max_mbap_size> place{};
+    auto const message = rtuwire::write_mbap(place, {to.number, rtuwire::byte_view{frame}.first(frame.size() - 2)});
+    return message ? std::vector<std::byte>{message->begin(), message->end()} : std::vector<std::byte>{};
+}
+
+} // namespace tool

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "serve/request_queue.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace tool {
+
+bool request_queue::add(served_request request)
+{
+    auto const own = waiting_.find(request.client);
+    if (size_ >= most or (own != waiting_.end() and own->second.size() >= most_of_client)) {
+        return false;
+    }
+    waiting_[request.client].push_back(std::move(request));
+    ++size_;
+    return true;
+}
+
+void request_queue::drop(std::uint64_t client)
+{
+    if (auto const own = waiting_.find(client); own != waiting_.end()) {
+        size_ -= own->second.size();
+        waiting_.erase(own);
+    }
+}
+
+std::optional<served_request> request_queue::take()
+{
+    if (waiting_.empty()) {
+        return std::nullopt;
+    }
+    auto const behind = waiting_.upper_bound(latest_);
+    auto const next = behind == waiting_.end() ? waiting_.begin() : behind;
+    latest_ = next->first;
+    served_request request = std::move(next->second.front());
+    next->second.pop_front();
+    --size_;
+    if (next->second.empty()) {
+        waiting_.erase(next);
+    }
+    return request;
+}
+
+std::vector<served_request> request_queue::take_old(serve_time now)
+{
+    std::vector<served_request> old;
+    for (auto client = waiting_.begin(); client != waiting_.end();) {
+        auto& own = client->second;
+        while (not own.empty() and now - own.front().came >= oldest) {
+            old.push_back(std::move(own.front()));
+            own.pop_front();
+        }
+        client = own.empty() ? waiting_.erase(client) : std::next(client);
+    }
+    size_ -= old.size();
+    return old;
+}
+
+std::optional<serve_time> request_queue::next_old() const
+{
+    std::optional<serve_time> next;
+    for (auto const& [client, own] : waiting_) {
+        serve_time const at = own.front().came + oldest;
+        next = next ? std::min(*next, at) : at;
+    }
+    return next;
+}
+
+} // namespace tool

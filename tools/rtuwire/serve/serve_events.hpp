@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What happens while clients are served: words on the error output, or JSON objects on standard output. Neither makes a client
+// wait.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "output/output.hpp"
+
+namespace tool {
+
+class serve_events {
+public:
+    explicit serve_events(output_form form) : is_json_{form == output_form::json} {}
+
+    /// For programs alone.
+    void note(std::string_view event, record const& more, std::string const& text) const;
+    /// For people, too.
+    void tell(std::string_view event, record const& more, std::string const& text) const;
+    /// On standard output in either form, at once: what a script waits for.
+    void begin(record const& more, std::string const& text) const;
+
+private:
+    bool is_json_;
+};
+
+} // namespace tool

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "serve/serve_settings.hpp"
+
+#include <set>
+#include <variant>
+
+#include "exit_status.hpp"
+#include "line/line_words.hpp"
+#include "words/words.hpp"
+
+namespace tool {
+
+namespace {
+
+listen_place place_to_listen(std::string const& word)
+{
+    port_choice const which = read_listen_word(word);
+    if (which.refused) {
+        refuse_word("--listen: " + which.refused->sentence);
+    }
+    if (auto const* const numbered = std::get_if<mbap_address>(&which.port)) {
+        return {client_protocol::mbap, {numbered->host, numbered->port}};
+    }
+    return {client_protocol::rtu, std::get<tcp_address>(which.port)};
+}
+
+std::set<std::uint8_t> functions_in(std::string const& word)
+{
+    constexpr std::uint16_t last = 0x7F;
+    std::set<std::uint8_t> all;
+    for (std::string_view const part : parts_of(word)) {
+        auto const number = word_number(part);
+        if (not number or *number == 0 or *number > last) {
+            refuse_word("--functions: '" + std::string{part} + "' in '" + word +
+                        "' is no function: they are typed in decimal, 3,4,16, or 0x10; there are 1 to 127");
+        }
+        all.insert(static_cast<std::uint8_t>(*number));
+    }
+    return all;
+}
+
+tcp_address place_of_metrics(std::string const& word)
+{
+    port_choice const which = read_listen_word("tcp://" + word);
+    if (which.refused) {
+        refuse_word("--metrics " + word + ": " + "it is an address and a port, such as 127.0.0.1:9502");
+    }
+    return std::get<tcp_address>(which.port);
+}
+
+void refuse_what_is_no_option_here(choices const& chosen)
+{
+    if (chosen.allowed.may_run) {
+        refuse_word(
+            "serve: --allow-run is not for serve: nothing passes here by which a motor may turn; `start` runs a "
+            "motor, and stops it on every way out");
+    }
+    if (chosen.serve.may_broadcast and not chosen.allowed.may_write) {
+        refuse_word("--allow-broadcast: what all units are sent is a write; say --write besides");
+    }
+    if (chosen.form == output_form::csv) {
+        refuse_word("serve: what happens is told as it comes, or with --json as one object a line; not as --csv");
+    }
+    if (not chosen.line.drive.empty()) {
+        refuse_word("serve: --drive is of one unit: say --name fan=7:" + chosen.line.drive);
+    }
+}
+
+} // namespace
+
+serve_settings serve_settings_in(choices const& chosen)
+{
+    refuse_what_is_no_option_here(chosen);
+    serve_settings settings;
+    for (std::string const& each : chosen.serve.listen) {
+        settings.listen.push_back(place_to_listen(each));
+    }
+    if (settings.listen.empty()) {
+        settings.listen.push_back(place_to_listen("mbap://127.0.0.1:1502"));
+    }
+    if (not chosen.serve.units.empty()) {
+        auto const units = units_in(chosen.serve.units);
+        settings.gate.units.emplace(units.begin(), units.end());
+    }
+    if (not chosen.serve.functions.empty()) {
+        settings.gate.functions = functions_in(chosen.serve.functions);
+    }
+    settings.gate.may_write = chosen.allowed.may_write;
+    settings.gate.may_broadcast = chosen.serve.may_broadcast;
+    for (std::string const& each : chosen.serve.from) {
+        auto const range = client_range::of(each);
+        if (not range) {
+            refuse_word("--from " + each +
+                        ": it is an address, 10.0.0.7, or those that begin alike, 192.168.1.0/24 or "
+                        "fd00::/8, in which all bits behind that length are 0");
+        }
+        settings.from.push_back(*range);
+    }
+    if (not chosen.serve.metrics.empty()) {
+        settings.metrics = place_of_metrics(chosen.serve.metrics);
+    }
+    settings.last = chosen.last;
+    return settings;
+}
+
+} // namespace tool

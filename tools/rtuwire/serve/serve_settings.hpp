@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What the command line says of a line that clients ask.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "choices.hpp"
+#include "port/port_word.hpp"
+#include "serve/client_range.hpp"
+#include "serve/client_requests.hpp"
+#include "serve/write_gate.hpp"
+
+namespace tool {
+
+struct listen_place {
+    client_protocol protocol;
+    tcp_address at;
+};
+
+/// "mbap".
+[[nodiscard]] constexpr std::string_view name_of(client_protocol which)
+{
+    return which == client_protocol::mbap ? "mbap" : "tcp";
+}
+
+struct serve_settings {
+    std::vector<listen_place> listen{};
+    gate_rules gate{};
+    std::vector<client_range> from{}; ///< empty: from anywhere
+    std::optional<tcp_address> metrics{};
+    std::optional<double> last{}; ///< seconds; nothing: until somebody ends the program
+
+    /// Whether drives are served, which are those that somebody named.
+    [[nodiscard]] bool names_units() const { return gate.units.has_value(); }
+};
+
+/// Refuses what is wrong in itself.
+[[nodiscard]] serve_settings serve_settings_in(choices const& chosen);
+
+} // namespace tool

@@ -1,0 +1,448 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "serve/served_clients.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <utility>
+
+#include <sys/socket.h>
+
+#include "exit_status.hpp"
+#include "line/end_wish.hpp"
+#include "serve/metrics_page.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::byte_view;
+using rtuwire::errc;
+
+#ifdef POLLRDHUP
+constexpr short hung_up = POLLRDHUP;
+#else
+constexpr short hung_up = 0; // only where both directions have ended
+#endif
+constexpr short failed = POLLERR | POLLHUP | POLLNVAL;
+
+serve_time now() { return std::chrono::steady_clock::now(); }
+
+/// What can be sent without waiting; nothing where the connection is gone.
+template <typename Bytes> std::optional<std::size_t> send_part(int line, Bytes const& bytes)
+{
+    ssize_t const count = ::send(line, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (count >= 0) {
+        return static_cast<std::size_t>(count);
+    }
+    return errno == EAGAIN or errno == EINTR ? std::optional<std::size_t>{0} : std::nullopt;
+}
+
+std::vector<std::byte> exception_to(served_request const& to, errc exception)
+{
+    return {to.pdu[0] | std::byte{0x80}, static_cast<std::byte>(exception)};
+}
+
+} // namespace
+
+void served_clients::listen()
+{
+    for (listen_place const& each : settings_.listen) {
+        listener& made = listeners_.emplace_back(listener{each.protocol, {}});
+        if (not made.socket.open(each.at.host, each.at.port, static_cast<int>(most_clients))) {
+            throw ended{exit_status::port, std::string{name_of(each.protocol)} + "://" + made.socket.failure()};
+        }
+        if (settings_.gate.may_write and settings_.from.empty() and not is_loopback(host_of(made.socket.device()))) {
+            refuse_for_safety("--write with --listen " + std::string{name_of(each.protocol)} + "://" +
+                              made.socket.device() +
+                              ": whoever reaches that address could write; say --from with the clients that may");
+        }
+    }
+    if (settings_.metrics) {
+        auto const& at = *settings_.metrics;
+        if (not metrics_.open(at.host, at.port, static_cast<int>(most_readers))) {
+            throw ended{exit_status::port, "--metrics: " + metrics_.failure()};
+        }
+    }
+}
+
+void served_clients::begin()
+{
+    note_signals();
+    sigset_t ending{};
+    ::sigemptyset(&ending);
+    for (int const each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+        ::sigaddset(&ending, each);
+    }
+    ::sigprocmask(SIG_BLOCK, &ending, &unblocked_); // seen where this program waits, and nowhere else
+    if (settings_.last) {
+        last_ =
+            now() + std::chrono::duration_cast<serve_time::duration>(std::chrono::duration<double>{*settings_.last});
+    }
+    for (listener const& each : listeners_) {
+        std::string const where = std::string{name_of(each.protocol)} + "://" + each.socket.device();
+        events_.begin({{"listen", where}}, where + " listening");
+    }
+    if (metrics_.descriptor_number() >= 0) {
+        std::string const where = "http://" + metrics_.device() + "/metrics";
+        events_.begin({{"listen", where}}, where + " listening");
+    }
+}
+
+void served_clients::wait(int descriptor, rtuwire::instant until)
+{
+    rtuwire::host_deadline const end{until};
+    for (;;) {
+        auto const left = rtuwire::to_chrono(end.left());
+        if (pass(descriptor, POLLIN, now() + left) or left.count() == 0 or is_over()) {
+            return;
+        }
+    }
+}
+
+bool served_clients::is_over() const { return ends_at_ and now() >= *ends_at_; }
+
+bool served_clients::wait_for_request(int line, serve_time until)
+{
+    for (client& each : clients_) { // what came behind a request that has its answer now
+        take_requests(each, now());
+    }
+    serve_time const end = queue_.size() > 0 ? now() : until;
+    do {
+        if (pass(line, hung_up, end)) {
+            return false;
+        }
+    } while (queue_.size() == 0 and not is_ending() and now() < end);
+    return true;
+}
+
+std::optional<served_request> served_clients::take()
+{
+    auto request = queue_.take();
+    counts_.queue = queue_.size();
+    return request;
+}
+
+void served_clients::answer(served_request const& to, byte_view pdu)
+{
+    if (client* const one = find(to.client)) {
+        answer(*one, to, pdu);
+    }
+}
+
+void served_clients::refuse(served_request const& to, errc exception) { answer(to, exception_to(to, exception)); }
+
+void served_clients::note_refused(std::string const& kind, served_request const& request, std::string const& why)
+{
+    client const* const one = find(request.client);
+    note_refused(kind, &request, why, one != nullptr ? one->line.device() : "a client that has left");
+}
+
+void served_clients::finish(served_request const& request)
+{
+    if (client* const one = find(request.client)) {
+        one->is_waiting = false;
+    }
+}
+
+void served_clients::end()
+{
+    rtuwire::instant const until = rtuwire::steady_now() + rtuwire::milliseconds(200);
+    for (client& each : clients_) {
+        static_cast<void>(each.line.write(each.out, until));
+        each.gone = "serve ends";
+    }
+    hang_up();
+    listeners_.clear();
+    readers_.clear();
+    metrics_.close();
+}
+
+void served_clients::note_end(serve_time at)
+{
+    if (not ends_at_ and (noted_signal() != 0 or (last_ and at >= *last_))) {
+        ends_at_ = at + grace_;
+    }
+}
+
+serve_time served_clients::next_deadline(serve_time until) const
+{
+    auto const sooner = [&until](std::optional<serve_time> at) { until = at ? std::min(until, *at) : until; };
+    sooner(queue_.next_old());
+    sooner(ends_at_ ? ends_at_ : last_);
+    sooner(next_accept_ > now() ? std::optional{next_accept_} : std::nullopt);
+    for (client const& each : clients_) {
+        sooner(each.heard + longest_idle);
+        sooner(each.out_since ? std::optional{*each.out_since + longest_untaken} : std::nullopt);
+        if (not is_held(each)) {
+            sooner(each.requests.part_ends());
+            sooner(each.requests.silence_ends());
+        }
+    }
+    for (reader const& each : readers_) {
+        sooner(each.ends);
+    }
+    return until;
+}
+
+bool served_clients::pass(int descriptor, short events, serve_time until)
+{
+    note_end(now());
+    bool const can_accept = now() >= next_accept_;
+    std::vector<pollfd> watched{{descriptor, events, 0}, {can_accept ? metrics_.descriptor_number() : -1, POLLIN, 0}};
+    for (listener const& each : listeners_) {
+        watched.push_back({can_accept ? each.socket.descriptor_number() : -1, POLLIN, 0});
+    }
+    for (client& each : clients_) {
+        bool const can_take = not is_held(each) and not each.requests.room().empty();
+        watched.push_back({each.line.descriptor_number(),
+                           static_cast<short>((can_take ? POLLIN : hung_up) | (each.out.empty() ? 0 : POLLOUT)), 0});
+    }
+    for (reader const& each : readers_) {
+        watched.push_back({each.line.descriptor_number(), static_cast<short>(each.out.empty() ? POLLIN : POLLOUT), 0});
+    }
+    auto const left = std::max(next_deadline(until) - now(), serve_time::duration{});
+    auto const seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
+    timespec const limit{static_cast<time_t>(seconds.count()),
+                         static_cast<long>(std::chrono::nanoseconds{left - seconds}.count())};
+    int const ready = ::ppoll(watched.data(), static_cast<nfds_t>(watched.size()), &limit, &unblocked_);
+    serve_time const at = now();
+    note_end(at);
+    auto found = watched.begin();
+    auto const next = [&found, ready] { return static_cast<short>(ready > 0 ? (found++)->revents : 0); };
+    bool const is_line = next() != 0;
+    bool const has_readers = next() != 0;
+    std::vector<listener*> asked;
+    for (listener& each : listeners_) {
+        if (next() != 0) {
+            asked.push_back(&each);
+        }
+    }
+    for (client& each : clients_) {
+        serve(each, next(), at);
+    }
+    for (reader& each : readers_) {
+        serve(each, next());
+    }
+    for (listener* const each : asked) { // last: what is new here was not watched
+        take_clients(*each, at);
+    }
+    if (has_readers) {
+        take_readers(at);
+    }
+    refuse_old(at);
+    hang_up();
+    counts_.queue = queue_.size();
+    return is_line;
+}
+
+void served_clients::take_clients(listener& at, serve_time when)
+{
+    auto line = at.socket.accept();
+    if (not line) {
+        next_accept_ = when + accept_pause;
+        return;
+    }
+    std::string const name = line->device();
+    bool const is_known =
+        settings_.from.empty() or std::ranges::any_of(settings_.from, [host = host_of(name)](client_range const& each) {
+            return each.has(host);
+        });
+    if (not is_known) {
+        note_refused("from", nullptr, name + " is none of --from, and was hung up on", name);
+    } else if (clients_.size() >= most_clients) {
+        note_refused("clients", nullptr,
+                     name + " was hung up on: " + std::to_string(most_clients) + " clients are connected", name);
+    } else {
+        clients_.push_back({++latest_number_, std::move(*line), client_requests{at.protocol}, when});
+        ++counts_.connections;
+        counts_.clients = clients_.size();
+        events_.note("connect", {{"client", name}, {"listen", std::string{name_of(at.protocol)}}},
+                     name + " is connected");
+    }
+}
+
+void served_clients::take_readers(serve_time when)
+{
+    auto line = metrics_.accept();
+    next_accept_ = line ? next_accept_ : when + accept_pause;
+    if (line and readers_.size() < most_readers) {
+        readers_.push_back({std::move(*line), when + longest_reader});
+    }
+}
+
+void served_clients::serve(client& one, short events, serve_time when)
+{
+    bool const was_held = is_held(one);
+    if ((events & failed) != 0 or (hung_up != 0 and (events & hung_up) != 0)) {
+        one.gone = "it left";
+        return;
+    }
+    if ((events & POLLOUT) != 0) {
+        send(one, when);
+    }
+    if ((events & POLLIN) != 0 and not was_held) {
+        rtuwire::byte_span const room = one.requests.room();
+        ssize_t const count = ::recv(one.line.descriptor_number(), room.data(), room.size(), 0);
+        if (count == 0 or (count < 0 and errno != EAGAIN and errno != EINTR)) {
+            one.gone = "it left";
+            return;
+        }
+        if (count > 0) {
+            one.requests.add(static_cast<std::size_t>(count), when);
+            one.heard = when;
+        }
+    }
+    take_requests(one, when);
+    bool const has_part = not is_held(one) and one.requests.part_ends() and *one.requests.part_ends() <= when;
+    one.gone = one.gone != nullptr                                          ? one.gone
+               : has_part                                                   ? "its request did not become whole in 10 s"
+               : one.out_since and when >= *one.out_since + longest_untaken ? "it took no answer for 10 s"
+               : when >= one.heard + longest_idle                           ? "it asked nothing for 10 minutes"
+                                                                            : nullptr;
+    if (has_part) {
+        note_refused("part", nullptr, one.line.device() + " was hung up on: " + one.gone, one.line.device());
+    }
+}
+
+void served_clients::take_requests(client& one, serve_time when)
+{
+    while (not is_held(one) and one.gone == nullptr) {
+        auto request = one.requests.take(when);
+        if (not request) {
+            break;
+        }
+        take(one, std::move(*request));
+    }
+    if (one.gone == nullptr and one.requests.is_broken()) {
+        one.gone = "what it sent is no Modbus TCP";
+        note_refused("protocol", nullptr, one.line.device() + " was hung up on: " + one.gone, one.line.device());
+    }
+    if (std::size_t const dropped = one.requests.take_dropped(); dropped > 0) {
+        note_refused("damaged", nullptr, std::to_string(dropped) + " bytes of " + one.line.device() + " were no frame",
+                     one.line.device());
+    }
+}
+
+void served_clients::take(client& one, served_request request)
+{
+    request.client = one.number;
+    gate_verdict const verdict = judge_request(settings_.gate, request.unit, request.pdu);
+    if (verdict.refused != errc::none) {
+        note_refused(verdict.kind, &request, verdict.why, one.line.device());
+        answer(one, request, exception_to(request, verdict.refused));
+        return;
+    }
+    counts_.note_request(request.unit, std::to_integer<std::uint8_t>(request.pdu[0]));
+    served_request const kept = request;
+    if (queue_.add(std::move(request))) {
+        one.is_waiting = one.requests.is_rtu();
+        return;
+    }
+    note_refused("queue", &kept, "too many requests wait", one.line.device());
+    answer(one, kept, exception_to(kept, errc::server_device_busy));
+}
+
+void served_clients::answer(client& one, served_request const& to, byte_view pdu)
+{
+    one.is_waiting = false;
+    if ((pdu[0] & std::byte{0x80}) != std::byte{0}) {
+        counts_.note_exception(to.unit, std::to_integer<std::uint8_t>(pdu[1]));
+    }
+    if (to.unit == 0 and one.requests.is_rtu()) {
+        return; // as on a line
+    }
+    std::vector<std::byte> const bytes = one.requests.answer(to, pdu);
+    one.out.insert(one.out.end(), bytes.begin(), bytes.end());
+    send(one, now());
+}
+
+void served_clients::send(client& one, serve_time when)
+{
+    auto const sent = send_part(one.line.descriptor_number(), one.out);
+    if (not sent) {
+        one.gone = "it left";
+        return;
+    }
+    one.out.erase(one.out.begin(), one.out.begin() + static_cast<std::ptrdiff_t>(*sent));
+    if (one.out.empty()) {
+        one.out_since.reset();
+        one.requests.resume(when);
+    } else if (*sent > 0 or not one.out_since) {
+        one.out_since = when;
+    }
+}
+
+void served_clients::serve(reader& one, short events)
+{
+    one.is_gone = now() >= one.ends or (events & failed) != 0;
+    if ((events & POLLIN) != 0) {
+        char bytes[1'024];
+        ssize_t const count = ::recv(one.line.descriptor_number(), bytes, sizeof bytes, 0);
+        one.is_gone = one.is_gone or count == 0 or (count < 0 and errno != EAGAIN and errno != EINTR);
+        one.in.append(bytes, count > 0 ? static_cast<std::size_t>(count) : 0);
+        one.out = http_response(one.in, [this] { return counts_.text(); }).value_or("");
+    }
+    if (not one.out.empty() and not one.is_gone) {
+        auto const sent = send_part(one.line.descriptor_number(), one.out);
+        one.out.erase(0, sent.value_or(0));
+        one.is_gone = not sent or one.out.empty();
+    }
+}
+
+void served_clients::refuse_old(serve_time when)
+{
+    for (served_request const& each : queue_.take_old(when)) {
+        if (client* const one = find(each.client)) {
+            note_refused("age", &each, "a request waited for " + std::to_string(request_queue::oldest.count()) + " s",
+                         one->line.device());
+            answer(*one, each, exception_to(each, errc::server_device_busy));
+        }
+    }
+}
+
+void served_clients::hang_up()
+{
+    for (auto one = clients_.begin(); one != clients_.end();) {
+        if (one->gone == nullptr) {
+            ++one;
+            continue;
+        }
+        queue_.drop(one->number);
+        events_.note("disconnect", {{"client", one->line.device()}, {"why", std::string{one->gone}}},
+                     one->line.device() + " is disconnected: " + one->gone);
+        one = clients_.erase(one);
+    }
+    counts_.clients = clients_.size();
+    std::erase_if(readers_, [](reader const& each) { return each.is_gone; });
+}
+
+void served_clients::note_refused(std::string const& kind, served_request const* request, std::string const& why,
+                                  std::string const& from)
+{
+    counts_.note_refused(kind);
+    if (auto const at = now(); at - noted_since_ >= std::chrono::seconds{1}) {
+        noted_since_ = at;
+        noted_ = 0;
+    }
+    if (++noted_ > most_noted) {
+        return; // counted all the same
+    }
+    record more{{"client", from}, {"kind", kind}};
+    if (request != nullptr) {
+        more.add("unit", std::uint64_t{request->unit});
+        more.add("function", std::to_integer<std::uint64_t>(request->pdu[0]));
+    }
+    bool const is_news =
+        told_.size() < most_told and told_.insert(request != nullptr and request->unit != 0 ? why : kind).second;
+    is_news ? events_.tell("refused", more, why) : events_.note("refused", more, why);
+}
+
+served_clients::client* served_clients::find(std::uint64_t number)
+{
+    auto const found = std::ranges::find(clients_, number, &client::number);
+    return found == clients_.end() ? nullptr : &*found;
+}
+
+} // namespace tool

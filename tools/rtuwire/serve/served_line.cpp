@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "serve/served_line.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "frame/frame_fit.hpp"
+#include "line/line_words.hpp"
+#include "line/raw_request.hpp"
+#include "motion/raw_effect.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::byte_view;
+using rtuwire::errc;
+using std::chrono::steady_clock;
+
+rtuwire::raw_pdu<> raw_in(served_request const& request)
+{
+    return {static_cast<rtuwire::function_code>(request.pdu[0]), byte_view{request.pdu}.subspan(1)};
+}
+
+/// A gateway's own words of a unit behind it that does not answer.
+bool is_gateway_silence(errc why)
+{
+    return why == errc::gateway_path_unavailable or why == errc::gateway_target_failed_to_respond;
+}
+
+bool has_gone_by_silence(errc why) { return status_of(why) == exit_status::no_answer or is_gateway_silence(why); }
+
+std::string number_of(std::uint8_t unit) { return "unit " + std::to_string(unit); }
+
+} // namespace
+
+served_line::served_line(choices const& chosen, serve_settings const& settings, served_clients& clients,
+                         serve_counts& counts, serve_events const& events)
+    : chosen_{chosen}, settings_{settings}, clients_{clients}, counts_{counts}, events_{events},
+      line_{std::make_unique<open_line>(chosen.line)}
+{
+    line_->port().attend(clients_);
+    counts_.is_port_up = true;
+}
+
+void served_line::run()
+{
+    while (not clients_.is_ending()) {
+        bool const is_up = line_ != nullptr or open_again();
+        serve_time const until = is_up ? steady_clock::now() + std::chrono::minutes{1} : next_opening_;
+        if (not clients_.wait_for_request(is_up ? line_->port().descriptor_number() : -1, until)) {
+            lose(line_->port().device() + ": the port has gone");
+            continue;
+        }
+        if (auto const request = clients_.is_ending() ? std::nullopt : clients_.take()) {
+            handle(*request);
+        }
+    }
+}
+
+bool served_line::open_again()
+{
+    if (steady_clock::now() < next_opening_) {
+        return false;
+    }
+    line_choices again = chosen_.line;
+    again.must_not_listen = true; // it was this program's line
+    auto const began = steady_clock::now();
+    auto const failure = ended_by([&] { line_ = std::make_unique<open_line>(again); });
+    if (failure) { // a host that does not answer keeps everybody waiting for as long as it is tried
+        auto const now = steady_clock::now();
+        next_opening_ = now + std::max<steady_clock::duration>(reopening_pause, 3 * (now - began));
+        if (std::exchange(told_failure_, failure->what()) != failure->what()) {
+            events_.tell("port_lost", {{"port", chosen_.line.port}},
+                         std::string{failure->what()} + "; it is tried again and again");
+        }
+        return false;
+    }
+    line_->port().attend(clients_);
+    told_failure_.clear();
+    counts_.is_port_up = true;
+    opened_ = steady_clock::now();
+    events_.tell("port_opened", {{"port", chosen_.line.port}}, chosen_.line.port + " is open again");
+    return true;
+}
+
+void served_line::lose(std::string const& why)
+{
+    line_.reset();
+    known_.clear();
+    silent_.forget();
+    counts_.is_port_up = false;
+    ++counts_.port_losses;
+    next_opening_ = opened_ + reopening_pause; // at once, but for one that goes again and again
+    told_failure_ = why;
+    events_.tell("port_lost", {{"port", chosen_.line.port}}, why + "; clients get exception 0B until it is back");
+}
+
+void served_line::handle(served_request const& request)
+{
+    std::uint8_t const unit = request.unit;
+    if (line_ == nullptr) {
+        refuse_as(request, errc::gateway_target_failed_to_respond, "port", "the port is away");
+        return;
+    }
+    if (unit == 0) {
+        broadcast(request);
+        return;
+    }
+    silent_.note_request(unit, steady_clock::now());
+    if (not silent_.is_due(unit, steady_clock::now())) {
+        clients_.refuse(request, errc::gateway_target_failed_to_respond);
+        return;
+    }
+    named_unit const who = unit_at(unit);
+    bool const is_read = only_reads(request.pdu);
+    bool const is_said_to_be_drive = not who.drive.empty() and who.drive != no_drive;
+    if (not settings_.names_units() and is_said_to_be_drive) {
+        tell_not_served(unit, "is said to be an " + who.drive);
+        clients_.refuse(request, errc::gateway_path_unavailable);
+        return;
+    }
+    if ((not is_read or not settings_.names_units()) and not identify(request, who)) {
+        return;
+    }
+    if (not settings_.names_units() and known_.at(unit).may_be_drive()) {
+        known_unit const& found = known_.at(unit);
+        tell_not_served(unit, found.rules and found.rules->drive != nullptr
+                                  ? "is an " + std::string{found.rules->drive->name}
+                                  : "may be a drive (" + found.why + ")");
+        clients_.refuse(request, errc::gateway_path_unavailable);
+        return;
+    }
+    if (is_read or may_be_written(request, who)) {
+        forward(request, who);
+    }
+}
+
+void served_line::broadcast(served_request const& request)
+{
+    choices to_all = chosen_;
+    to_all.allowed.may_run = true; // --allow-broadcast says it: what drives have is refused all the same
+    auto const why = ended_by([&] {
+        refuse_unreadable(request.pdu);
+        refuse_broadcast(request.pdu, to_all);
+        refuse_frame_within(frame_of(std::byte{0}, request.pdu), functions_within::public_ones);
+    });
+    if (why) {
+        refuse_as(request, errc::illegal_function, "unsafe", why->what());
+        return;
+    }
+    auto conversation = line_->with(sent_once{rtuwire::broadcast, raw_request{raw_in(request)}});
+    errc const outcome = line_->run(conversation).error();
+    if (status_of(outcome) == exit_status::port) {
+        lose(line_->words_of_failure(outcome));
+    }
+    clients_.finish(request);
+}
+
+errc served_line::look_for(named_unit const& unit)
+{
+    using identity = rtuwire::read_device_identification;
+    auto asked = line_->with(
+        request_once<identity>{rtuwire::unit_id{unit.unit}, identity{rtuwire::identification_access::basic, 0}});
+    errc const first = line_->run(asked).error();
+    if (not has_gone_by_silence(first)) {
+        return first;
+    }
+    using read = rtuwire::read_holding_registers;
+    auto then = line_->with(
+        request_once<read>{rtuwire::unit_id{unit.unit}, read{.start = all_catalogs().front()->layout.eta, .count = 1}});
+    return line_->run(then).error();
+}
+
+bool served_line::identify(served_request const& request, named_unit const& unit)
+{
+    std::uint8_t const number = request.unit;
+    if (known_.count(number) > 0) {
+        return true;
+    }
+    errc const there = look_for(unit);
+    if (status_of(there) == exit_status::port) {
+        lose(line_->words_of_failure(there));
+        clients_.refuse(request, errc::gateway_target_failed_to_respond);
+        return false;
+    }
+    note_outcome(number, not has_gone_by_silence(there));
+    if (has_gone_by_silence(there)) {
+        clients_.refuse(request, is_gateway_silence(there) ? there : errc::gateway_target_failed_to_respond);
+        return false;
+    }
+    known_unit found;
+    auto const why = ended_by([&] { found.rules = rules_of_whoever(*line_, unit, chosen_.allowed); });
+    if (why and why->status == exit_status::port) {
+        lose(why->what());
+        clients_.refuse(request, errc::gateway_target_failed_to_respond);
+        return false;
+    }
+    found.why = why ? why->what() : "";
+    known_.emplace(number, found);
+    return true;
+}
+
+bool served_line::may_be_written(served_request const& request, named_unit const& unit)
+{
+    known_unit const& found = known_.at(request.unit);
+    if (not found.rules) {
+        refuse_as(request, errc::illegal_function, "unsafe", found.why);
+        return false;
+    }
+    choices judged = chosen_;
+    judged.allowed.knows_run = false;
+    judged.line.typed.unit = " -u " + std::to_string(request.unit); // of a command that a message shows
+    auto const why = ended_by([&] { refuse_for_client(request.pdu, *line_, unit, *found.rules, judged); });
+    if (why and why->status == exit_status::port) {
+        lose(why->what());
+        clients_.refuse(request, errc::gateway_target_failed_to_respond);
+        return false;
+    }
+    if (why and why->status == exit_status::no_answer) {
+        note_outcome(request.unit, false);
+        clients_.refuse(request, errc::gateway_target_failed_to_respond);
+        return false;
+    }
+    if (why) {
+        std::string const text = why->what();
+        std::string const number = number_of(request.unit);
+        refuse_as(request, errc::illegal_function, "unsafe", text.starts_with(number) ? text : number + ": " + text);
+    }
+    return not why;
+}
+
+void served_line::forward(served_request const& request, named_unit const& unit)
+{
+    std::vector<std::byte> response;
+    auto const began = steady_clock::now();
+    auto const run = [&](auto conversation) {
+        auto const outcome = line_->run(conversation);
+        if (outcome) {
+            response.assign(outcome->pdu().begin(), outcome->pdu().end());
+        }
+        return outcome.error();
+    };
+    rtuwire::unit_id const to{unit.unit};
+    errc const why = only_reads(request.pdu)
+                         ? run(line_->with(rtuwire::single_request{to, raw_request{raw_in(request)}}))
+                         : run(line_->with(sent_once{to, raw_request{raw_in(request)}}));
+    bool const is_response = why == errc::none or is_refusal_of_unit(why);
+    if (is_response) {
+        counts_.note_round_trip(request.unit, steady_clock::now() - began);
+    }
+    if (status_of(why) == exit_status::port) {
+        lose(line_->words_of_failure(why));
+        clients_.refuse(request, errc::gateway_target_failed_to_respond);
+        return;
+    }
+    note_outcome(request.unit, not has_gone_by_silence(why));
+    if (why == errc::none and flaw_of_response(request.pdu, response) == errc::none) {
+        clients_.answer(request, response);
+    } else if (rtuwire::is_exception(why) and why != errc::unlisted_exception) {
+        clients_.refuse(request, why);
+    } else {
+        clients_.refuse(request, errc::gateway_target_failed_to_respond);
+    }
+}
+
+void served_line::note_outcome(std::uint8_t unit, bool has_responded)
+{
+    bool const is_news = silent_.note(unit, has_responded, steady_clock::now());
+    if (not has_responded) {
+        counts_.note_silence(unit);
+        known_.erase(unit); // another may answer there next
+    }
+    if (is_news) {
+        events_.tell(has_responded ? "back" : "silent", {{"unit", std::uint64_t{unit}}},
+                     number_of(unit) + (has_responded ? " answers again" : " does not answer"));
+    }
+}
+
+void served_line::refuse_as(served_request const& request, errc exception, std::string const& kind,
+                            std::string const& why)
+{
+    clients_.note_refused(kind, request, why);
+    clients_.refuse(request, exception);
+}
+
+void served_line::tell_not_served(std::uint8_t unit, std::string const& what)
+{
+    counts_.note_refused("drive");
+    if (told_units_.insert(unit).second) {
+        events_.tell("refused", {{"kind", std::string{"drive"}}, {"unit", std::uint64_t{unit}}},
+                     number_of(unit) + ' ' + what +
+                         ", and is not served: each read would feed its supervision of the line, so that a motor whose "
+                         "controller has gone runs on; to serve it all the same, name it: --units " +
+                         std::to_string(unit));
+    }
+}
+
+named_unit served_line::unit_at(std::uint8_t number) const
+{
+    line_choices one = chosen_.line;
+    one.unit = std::to_string(number);
+    return unit_in(one);
+}
+
+} // namespace tool

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The line that clients ask: who is on it, what may be written there, and what becomes of each request. It is opened again
+// where it was lost.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "choices.hpp"
+#include "line/open_line.hpp"
+#include "line/who_is_it.hpp"
+#include "serve/served_clients.hpp"
+#include "serve/silent_units.hpp"
+
+namespace tool {
+
+class served_line {
+public:
+    static constexpr std::chrono::seconds reopening_pause{1};
+
+    /// Opens the port, and listens there first, as every command does.
+    served_line(choices const& chosen, serve_settings const& settings, served_clients& clients, serve_counts& counts,
+                serve_events const& events);
+
+    /// Until somebody ends it.
+    void run();
+
+private:
+    /// What a unit tells of itself; until it is silent, or the port is lost.
+    struct known_unit {
+        std::optional<write_rules> rules{}; ///< nothing: it may be a drive, which one is not known
+        std::string why{};                  ///< nothing is written there then
+
+        [[nodiscard]] bool may_be_drive() const { return not rules or rules->drive != nullptr or rules->command; }
+    };
+
+    bool open_again();
+    void lose(std::string const& why);
+    void handle(served_request const& request);
+    void broadcast(served_request const& request);
+    /// Whether its unit is known now; where not, the request is answered.
+    bool identify(served_request const& request, named_unit const& unit);
+    /// Whether a unit answers at all, by two requests at most, each sent once: one that is off costs no more.
+    rtuwire::errc look_for(named_unit const& unit);
+    /// Whether it may go to a unit that is known; where not, it is answered.
+    bool may_be_written(served_request const& request, named_unit const& unit);
+    void forward(served_request const& request, named_unit const& unit);
+    void note_outcome(std::uint8_t unit, bool has_responded);
+    void refuse_as(served_request const& request, rtuwire::errc exception, std::string const& kind,
+                   std::string const& why);
+    void tell_not_served(std::uint8_t unit, std::string const& what);
+    named_unit unit_at(std::uint8_t number) const;
+
+    choices const& chosen_;
+    serve_settings const& settings_;
+    served_clients& clients_;
+    serve_counts& counts_;
+    serve_events const& events_;
+    std::unique_ptr<open_line> line_;
+    serve_time opened_{};
+    serve_time next_opening_{};
+    std::string told_failure_{};
+    silent_units silent_{};
+    std::map<std::uint8_t, known_unit> known_{};
+    std::set<std::uint8_t> told_units_{}; ///< of which was said why they are not served
+};
+
+} // namespace tool

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "serve/write_gate.hpp"
+
+#include "frame/frame_fit.hpp"
+#include "motion/raw_effect.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::errc;
+
+constexpr std::uint8_t last_unit = 247;
+constexpr unsigned first_exception = 0x80;
+
+gate_verdict malformed(std::string const& number, rtuwire::byte_view pdu)
+{
+    return {errc::illegal_data_value, "malformed",
+            number + ": " + words_of_function(pdu) + ": its data is " +
+                std::string{rtuwire::name(flaw_of(pdu, rtuwire::frame_role::request))}};
+}
+
+} // namespace
+
+gate_verdict judge_request(gate_rules const& rules, std::uint8_t unit, rtuwire::byte_view pdu)
+{
+    auto const code = static_cast<std::uint8_t>(pdu[0]);
+    std::string const number = "unit " + std::to_string(unit);
+    if (unit > last_unit or (unit != 0 and rules.units and rules.units->count(unit) == 0)) {
+        return {errc::gateway_path_unavailable, "unit",
+                unit > last_unit ? number + " is the address of no unit of a line: 1 to 247"
+                                 : number + " is not served: --units does not name it"};
+    }
+    if (unit == 0 and not rules.may_broadcast) {
+        return {errc::gateway_path_unavailable, "broadcast",
+                "unit 0 would reach all units of the line: that takes --allow-broadcast and --write"};
+    }
+    if (code == 0 or code >= first_exception or (rules.functions and rules.functions->count(code) == 0)) {
+        return {errc::illegal_function, "function",
+                code == 0 or code >= first_exception
+                    ? "there is no such function"
+                    : number + ": " + words_of_function(pdu) + ", is not served: --functions does not name it"};
+    }
+    bool const is_flawed = flaw_of(pdu, rtuwire::frame_role::request) != errc::none;
+    if (not has_reading_function(pdu) and not rules.may_write) {
+        return {errc::illegal_function, "write",
+                number + ": " + words_of_function(pdu) + ", may change something, and only reads pass; say --write"};
+    }
+    if (is_flawed) {
+        return malformed(number, pdu);
+    }
+    if (unit == 0 and only_reads(pdu)) {
+        return {errc::gateway_path_unavailable, "broadcast", "unit 0 is all units, of which none answers a read"};
+    }
+    return {.only_reads = only_reads(pdu)};
+}
+
+} // namespace tool
