@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Lets many clients ask the units of one line, one request at a time. It reads unless --write says otherwise, and passes on
 // nothing by which a motor may turn.
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <string>
@@ -42,13 +41,12 @@ exit_status run_serve(choices const& chosen)
 {
     serve_settings const settings = serve_settings_in(chosen);
     std::signal(SIGPIPE, SIG_IGN); // a reader that has gone keeps no client waiting
-    // For the request that is under way: what has been written is answered.
-    constexpr std::chrono::duration<double> longest_end{1.0};
+    // So long the request that is under way may take: whether something was written is answered.
     std::chrono::duration<double> const response_time{chosen.line.response_timeout.value_or(1.0)};
     serve_counts counts;
     serve_events const events{chosen.form};
     served_clients clients{settings, counts, events,
-                           std::chrono::duration_cast<std::chrono::microseconds>(std::min(longest_end, response_time))};
+                           std::chrono::duration_cast<std::chrono::microseconds>(response_time)};
     clients.listen();
     served_line line{chosen, settings, clients, counts, events};
     tell_what_is_served(chosen, settings);

@@ -73,7 +73,7 @@ bool served_line::open_again()
         auto const now = steady_clock::now();
         next_opening_ = now + std::max<steady_clock::duration>(reopening_pause, 3 * (now - began));
         if (std::exchange(told_failure_, failure->what()) != failure->what()) {
-            events_.tell("port_lost", {{"port", chosen_.line.port}},
+            events_.tell("port_away", {{"port", chosen_.line.port}},
                          std::string{failure->what()} + "; it is tried again and again");
         }
         return false;
