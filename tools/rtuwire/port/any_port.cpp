@@ -112,6 +112,7 @@ std::string const& any_port::failure() const noexcept
 result<void> any_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
 {
     if (attendant_ != nullptr and attendant_->is_over()) {
+        has_taken_last_ = false;
         return errc::cancelled;
     }
     auto const written = std::visit([&](auto& port) { return port.write(bytes, until); }, port_);
