@@ -52,9 +52,8 @@ tcp_address place_of_metrics(std::string const& word)
 void refuse_what_is_no_option_here(choices const& chosen)
 {
     if (chosen.allowed.may_run) {
-        refuse_word(
-            "serve: --allow-run is not for serve: nothing passes here by which a motor may turn; `start` runs a "
-            "motor, and stops it on every way out");
+        refuse_word("serve: --allow-run is not for serve: nothing passes here by which a motor may turn; the command "
+                    "start runs a motor, and stops it on every way out");
     }
     if (chosen.serve.may_broadcast and not chosen.allowed.may_write) {
         refuse_word("--allow-broadcast: what all units are sent is a write; say --write besides");
