@@ -18,7 +18,7 @@
 #include "device/device_folders.hpp"
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
-#include "files/toml_file.hpp"
+#include "files/toml_values.hpp"
 #include "output/plain_text.hpp"
 #include "words/named_value.hpp"
 #include "words/suggestion.hpp"
@@ -30,14 +30,14 @@ namespace {
 
 constexpr std::size_t longest_identity = 63;
 
-class file_reader {
+class file_reader : toml_values {
 public:
-    explicit file_reader(std::string const& file) : file_{file} { found_.file = file; }
+    explicit file_reader(std::string const& file) : toml_values{file} { found_.file = file; }
 
     named_places run(std::string const& text)
     {
-        toml::table const all = toml_in(file_, text);
-        check_keys(file_, all, {"device", "groups", "register"});
+        toml::table const all = toml_in(file(), text);
+        check_keys(file(), all, {"device", "groups", "register"});
         read_device(all);
         read_groups(all);
         toml::node const* const list = all.get("register");
@@ -57,47 +57,6 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse(toml::source_region const& where, std::string const& why) const
-    {
-        refuse_at(file_, where, why);
-    }
-
-    /// A table of the file; null where it has none.
-    toml::table const* table_in(toml::table const& from, std::string_view key) const
-    {
-        toml::node const* const value = from.get(key);
-        if (value != nullptr and not value->is_table()) {
-            refuse(value->source(),
-                   std::string{key} + " is a table: its keys stand in lines behind [" + std::string{key} + "]");
-        }
-        return value == nullptr ? nullptr : value->as_table();
-    }
-
-    /// A whole number within limits; nothing where a table has none.
-    std::optional<unsigned> whole_in(toml::table const& from, std::string_view key, unsigned lowest,
-                                     unsigned highest) const
-    {
-        toml::node const* const value = from.get(key);
-        if (value == nullptr) {
-            return std::nullopt;
-        }
-        std::int64_t const number = value->is_integer() ? value->as_integer()->get() : -1;
-        if (number < lowest or number > highest) {
-            refuse(value->source(), std::string{key} + " is a whole number from " + std::to_string(lowest) + " to " +
-                                        std::to_string(highest));
-        }
-        return static_cast<unsigned>(number);
-    }
-
-    bool flag_in(toml::table const& from, std::string_view key) const
-    {
-        toml::node const* const value = from.get(key);
-        if (value != nullptr and not value->is_boolean()) {
-            refuse(value->source(), std::string{key} + " is true or false");
-        }
-        return value != nullptr and value->as_boolean()->get();
-    }
-
     /// What a unit says of itself; empty where nobody said.
     std::string identity_in(toml::table const& from, std::string_view key) const
     {
@@ -113,7 +72,7 @@ private:
     void read_device(toml::table const& all)
     {
         if (toml::table const* const device = table_in(all, "device")) {
-            check_keys(file_, *device, {"vendor", "product", "max_registers", "pause"});
+            check_keys(file(), *device, {"vendor", "product", "max_registers", "pause"});
             found_.vendor = identity_in(*device, "vendor");
             found_.product = identity_in(*device, "product");
             if (found_.vendor.empty() != found_.product.empty()) {
@@ -146,33 +105,6 @@ private:
             }
             found_.groups.push_back({name, *period});
         }
-    }
-
-    /// A text of one table; nothing where it has none.
-    std::optional<std::string> text_in(toml::table const& from, std::string_view key) const
-    {
-        toml::node const* const value = from.get(key);
-        if (value == nullptr) {
-            return std::nullopt;
-        }
-        if (not value->is_string()) {
-            refuse(value->source(), std::string{key} + " is a text: write it in quotation marks");
-        }
-        return value->as_string()->get();
-    }
-
-    /// A number of one table, as it may be typed; nothing where it has none.
-    std::optional<double> number_in(toml::table const& from, std::string_view key) const
-    {
-        toml::node const* const value = from.get(key);
-        if (value == nullptr) {
-            return std::nullopt;
-        }
-        auto const number = value->is_number() ? value->value<double>() : std::nullopt;
-        if (not number or not std::isfinite(*number)) {
-            refuse(value->source(), std::string{key} + " is a number");
-        }
-        return number;
     }
 
     static std::string decimal(double number)
@@ -256,7 +188,7 @@ private:
 
     void add(toml::table const& from)
     {
-        check_keys(file_, from,
+        check_keys(file(), from,
                    {"name", "space", "address", "bits", "type", "order", "scale", "unit", "offset", "access", "min",
                     "max", "choices", "invalid", "setting", "stored", "moves", "group", "simulated"});
         auto const name = text_in(from, "name");
@@ -489,7 +421,6 @@ private:
         }
     }
 
-    std::string const& file_;
     named_places found_{};
     std::map<std::pair<register_space, unsigned>, std::vector<std::size_t>> taken_{};
 };
