@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -434,6 +435,8 @@ named_places read_register_file(std::string const& file, std::string const& text
 
 named_places const& register_file_at(std::string const& file)
 {
+    static std::mutex guard; // lines may be simulated, each in a thread of its own
+    std::scoped_lock const held{guard};
     static std::map<std::string, named_places> known;
     auto const before = known.find(file);
     if (before != known.end()) {

@@ -149,6 +149,9 @@ void exchange_log::take(rtuwire::traced_frame const& frame) noexcept
     }
     try {
         owed_.note(frame);
+        if (shown_ == nullptr and not exchange_kept().file) {
+            return; // lines in threads of their own share nothing
+        }
         rtuwire::traced_frame const next = in_order(frame);
         if (shown_ != nullptr) {
             show_frame(next, shown_->passed(next.bytes));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 #include <unistd.h>
 
@@ -27,12 +28,11 @@ std::string hex_byte(std::uint8_t byte)
 /// Said to a person, once.
 void tell_of_supervision()
 {
-    static bool is_told = false;
-    if (not is_told and ::isatty(STDERR_FILENO) == 1) {
+    static std::atomic<bool> is_told{false};
+    if (not is_told.exchange(true) and ::isatty(STDERR_FILENO) == 1) {
         tell_at_once(
             "note: any request restarts a drive's supervision of its line, and begins it where the drive is idle\n");
     }
-    is_told = true;
 }
 
 any_port traced_port(line_choices const& chosen, line_setting const& how)
