@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "configuration.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -16,9 +17,9 @@
 #include "catalog/catalog.hpp"
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
-#include "files/toml_file.hpp"
 #include "line/line_words.hpp"
 #include "line/who_is_it.hpp"
+#include "line_options.hpp"
 #include "port/port_word.hpp"
 #include "words/suggestion.hpp"
 
@@ -45,6 +46,14 @@ unsigned whole_in(std::string const& word, unsigned lowest, unsigned highest)
         refuse_word("'" + word + "' is no whole number");
     }
     return static_cast<unsigned>(number);
+}
+
+bool flag_in(std::string const& word)
+{
+    if (word != "true" and word != "false") {
+        refuse_word("it is true or false");
+    }
+    return word == "true";
 }
 
 std::string drive_in(std::string const& word)
@@ -104,13 +113,8 @@ constexpr option options[] = {
      [](line_choices& line, std::string const& word) { line.response_timeout = number_in(word, 0.001, 30); }},
     {"retries", [](line_choices& line, std::string const& word) { line.retries = whole_in(word, 0, 10); }},
     {"pause", [](line_choices& line, std::string const& word) { line.pause = whole_in(word, 0, 3'000); }},
-    {"echo",
-     [](line_choices& line, std::string const& word) {
-         if (word != "true" and word != "false") {
-             refuse_word("it is true or false");
-         }
-         line.has_echo = word == "true";
-     }},
+    {"echo", [](line_choices& line, std::string const& word) { line.has_echo = flag_in(word); }},
+    {"rs485", [](line_choices& line, std::string const& word) { line.must_switch_rs485 = flag_in(word); }},
     {"listen", [](line_choices& line, std::string const& word) { line.listen = number_in(word, 0, 3'600); }},
 };
 
@@ -197,6 +201,17 @@ std::optional<std::string> configuration_file()
     }
     std::string const file = place + "/" + name;
     return not place.empty() and is_there(file) ? std::optional{file} : std::nullopt;
+}
+
+void read_line_options(std::string const& file, std::string const& text, toml::table const& from,
+                       std::span<std::string_view const> names, line_choices& line)
+{
+    for (option const& which : options) {
+        toml::node const* const value = from.get(which.name);
+        if (value != nullptr and std::ranges::count(names, which.name) != 0) {
+            take_word(file, text, which, *value, line);
+        }
+    }
 }
 
 void read_configuration(std::string const& file, line_choices& line)
