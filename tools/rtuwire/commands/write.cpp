@@ -18,6 +18,7 @@
 #include "line/line_words.hpp"
 #include "line/raw_request.hpp"
 #include "line/reading.hpp"
+#include "motion/value_sender.hpp"
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
 #include "motion/checked_values.hpp"
@@ -58,8 +59,6 @@ struct shown_value {
     std::string note{};
     bool is_only_read{false};
 };
-
-using value_list = std::vector<value_to_write>;
 
 /// What one request writes.
 struct value_request {
@@ -149,47 +148,10 @@ private:
         return values;
     }
 
-    /// What function 16 or 15 sends of values.
-    static std::vector<std::byte> bytes_of(value_list const& values)
-    {
-        std::vector<std::byte> bytes;
-        if (values[0].where.is_single_bit()) {
-            bytes.resize((values.size() + 7) / 8);
-            for (std::size_t i = 0; i < values.size(); ++i) {
-                bytes[i / 8] |= static_cast<std::byte>((values[i].words[0] != 0 ? 1U : 0U) << (i % 8U));
-            }
-            return bytes;
-        }
-        for (value_to_write const& each : values) {
-            for (std::uint16_t const word : each.words) {
-                bytes.push_back(static_cast<std::byte>(word >> 8U));
-                bytes.push_back(static_cast<std::byte>(word & 0xFFU));
-            }
-        }
-        return bytes;
-    }
-
-    /// By function 16, of coils by 15.
-    template <typename Send> static auto by_one_request(value_list const& values, Send send)
-    {
-        std::uint16_t const address = values[0].where.address;
-        std::vector<std::byte> const bytes = bytes_of(values);
-        return values[0].where.is_single_bit()
-                   ? send(rtuwire::write_multiple_coils<>{address, rtuwire::bit_view{bytes, values.size()}})
-                   : send(rtuwire::write_multiple_registers<>{address, rtuwire::register_view{bytes}});
-    }
-
-    /// Values of several registers or coils may hold a whole frame; so may one of whatever the unit takes by function 16 only.
     void refuse_frame_within(value_list const& values) const
     {
-        if (rules_.drive != nullptr) {
-            return;
-        }
-        std::array<std::byte, rtuwire::max_adu_size> memory{};
-        auto const frame = by_one_request(
-            values, [&](auto const& request) { return rtuwire::encode_into(memory, unit_.unit, request); });
-        if (frame) {
-            tool::refuse_frame_within(*frame, functions_within::public_ones);
+        if (rules_.drive == nullptr) {
+            tool::refuse_frame_within(unit_.unit, values);
         }
     }
 
@@ -310,7 +272,7 @@ private:
         std::vector<held_before> const before = values[0].where.bit >= 0 ? read(line, values) : request.before;
         std::string how;
         std::vector<std::uint16_t> words;
-        errc const outcome = then_read_.empty() ? send(line, values, how) : exchange(line, values, words);
+        errc const outcome = then_read_.empty() ? sender(line).send(values, how) : exchange(line, values, words);
         std::string const failure = line.words_of_failure(outcome) +
                                     hint_at_list({values[0].where, values[0].entry}, outcome) +
                                     remedy_of(values, outcome);
@@ -336,6 +298,11 @@ private:
         }
         show(rows);
         return missed.empty() or status != exit_status::done ? status : exit_status::port;
+    }
+
+    value_sender sender(open_line& line) const
+    {
+        return {line, unit_.unit, rules_.drive != nullptr, chosen_.line.retries > 0, chosen_.may_rewrite};
     }
 
     /// By function 23; what it read.
@@ -403,7 +370,7 @@ private:
         } else if (not value.is_held_by(held.words)) {
             row.error = is_taken ? "the unit holds another value" : failure;
             status = is_taken ? exit_status::differs : status_of(outcome);
-        } else if (is_refusal(outcome)) {
+        } else if (is_refusal_to_write(outcome)) {
             row.error = failure;
             status = exit_status::differs;
         }
@@ -439,7 +406,7 @@ private:
     static bool may_be_written(value_to_write const& value, held_before const& before, held_words const& held,
                                errc outcome)
     {
-        if (is_refusal(outcome) and held.why == errc::none) {
+        if (is_refusal_to_write(outcome) and held.why == errc::none) {
             return value.is_held_by(held.words) or before.words != held.words;
         }
         bool const is_before_doing = outcome == errc::illegal_function or outcome == errc::illegal_data_address or
@@ -470,73 +437,6 @@ private:
                : value.where.is_single_bit()
                    ? "; the unit has no function 15: coils that have a word each are written one by one, by 05"
                    : "; the unit has no function 16: registers that have a word each are written one by one, by 06";
-    }
-
-    /// Where nobody wants a repetition, busy units are asked once, too.
-    template <typename Request> errc sent(open_line& line, Request const& request)
-    {
-        if (chosen_.line.retries > 0) {
-            return line.ask(unit_.unit, request).error();
-        }
-        auto once = line.with(request_once<Request>{rtuwire::unit_id{unit_.unit}, request});
-        return line.run(once).error();
-    }
-
-    /// By function 05 or 06, of several registers by 16, of several coils by 15, of bits by 22. A device that lacks 05 or 06 is
-    /// written by 15 or 16, which is noted.
-    errc send(open_line& line, value_list const& values, std::string& note)
-    {
-        value_to_write const& value = values[0];
-        std::uint16_t const address = value.where.address;
-        bool const is_coil = value.where.is_single_bit();
-        if (values.size() > 1 or value.words.size() > 1) {
-            return send_all(line, values);
-        }
-        if (value.where.bit >= 0) {
-            return send_bits(line, value, note);
-        }
-        errc const why = is_coil ? sent(line, rtuwire::write_single_coil{address, value.words[0] != 0})
-                                 : sent(line, rtuwire::write_single_register{address, value.words[0]});
-        if (why != errc::illegal_function or rules_.drive != nullptr) {
-            return why;
-        }
-        note = is_coil ? "the unit has no function 05: written by 15" : "the unit has no function 06: written by 16";
-        return send_all(line, values);
-    }
-
-    errc send_all(open_line& line, value_list const& values)
-    {
-        return by_one_request(values, [&](auto const& request) { return sent(line, request); });
-    }
-
-    /// By function 22; where the unit lacks that, and somebody said so, all of the register as it was just read.
-    errc send_bits(open_line& line, value_to_write const& value, std::string& note)
-    {
-        std::uint16_t const mask = value.where.mask();
-        auto const others = static_cast<std::uint16_t>(~mask);
-        errc const why = sent(line, rtuwire::mask_write_register{value.where.address, others, value.words[0]});
-        if (why != errc::illegal_function or not chosen_.may_rewrite) {
-            return why;
-        }
-        held_words const held = read_place(line, unit_.unit, value.where);
-        if (held.why != errc::none) {
-            return held.why;
-        }
-        value_to_write whole = value;
-        whole.where.bit = -1;
-        whole.words[0] = static_cast<std::uint16_t>((held.words[0] & others) | value.words[0]);
-        errc const outcome = send(line, {whole}, note);
-        std::string by = "the unit has no function 22: read, and written as a whole";
-        append(by, note);
-        note = by;
-        return outcome;
-    }
-
-    /// Whether the unit itself says that it did not write. What a gateway says tells nothing of the unit.
-    static bool is_refusal(errc why)
-    {
-        return rtuwire::is_exception(why) and why != errc::acknowledge and why != errc::gateway_path_unavailable and
-               why != errc::gateway_target_failed_to_respond;
     }
 
     /// Of what was not sent: what the unit holds, where that is known.
