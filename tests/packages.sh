@@ -14,6 +14,7 @@ packages_of() {
         models) echo spin ;;
         interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial python3-serial-asyncio socat tshark ;;
         tool) echo pkg-config libcli11-dev libfmt-dev nlohmann-json3-dev libncurses-dev libtomlplusplus-dev libyaml-cpp-dev tmux python3 python3-pyte zsh ;;
+        gateway) echo pkg-config libmosquitto-dev mosquitto mosquitto-clients ;;
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         emulator) echo qemu-system-arm ;;
         clang) echo clang libclang-rt-dev ;;
@@ -30,7 +31,7 @@ packages_of() {
         newcomer) echo debootstrap ;;
         cache) echo ccache ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool arm emulator clang afl bench portability avr packaging style docs playground browser npm newcomer cache" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool gateway arm emulator clang afl bench portability avr packaging style docs playground browser npm newcomer cache" >&2
             return 1
             ;;
     esac

@@ -58,8 +58,8 @@ struct device_value {
 
 struct device_plan {
     std::string name;
-    named_unit unit;  ///< of a drive its type stands there, of any other "none"
-    std::string type; ///< as the file says it: "atv320", "sdm630.toml"
+    named_unit unit;    ///< of a drive its type stands there, of any other "none"
+    std::string type{}; ///< as the file says it: "atv320", "sdm630.toml"
     drive_catalog const* drive{nullptr};
     std::shared_ptr<named_places const> names{}; ///< of a register file
     bool feeds_supervision{false};               ///< whoever wrote the file knows what reading does to a drive

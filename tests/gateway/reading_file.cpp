@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The file of the gateway: what it means, and what is refused of it, where and why.
+#include "../../tools/gateway/gateway_file.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/sim.hpp>
+
+#include "gateway/scratch_folder.hpp"
+
+using namespace tool;
+using namespace tool::gateway;
+using gateway_test::scratch_folder;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view meter = R"(
+[groups]
+slow = "30s"
+
+[[register]]
+name = "voltage"
+space = "input"
+address = 0
+type = "f32"
+unit = "V"
+
+[[register]]
+name = "energy"
+space = "input"
+address = 2
+type = "u32"
+scale = 0.01
+unit = "kWh"
+group = "slow"
+
+[[register]]
+name = "set_point"
+address = 40
+type = "i16"
+scale = 0.1
+unit = "degC"
+access = "write"
+min = 5
+max = 30
+stored = true
+
+[[register]]
+name = "mode"
+address = 41
+access = "write"
+choices = { off = 0, heat = 1 }
+
+[[register]]
+name = "valve"
+space = "coil"
+address = 3
+access = "write"
+moves = true
+
+[[register]]
+name = "lamp"
+space = "coil"
+address = 4
+access = "write"
+)";
+
+constexpr std::string_view whole = R"(site = "hall3"
+gateway = "g1"
+[broker]
+host = "127.0.0.1"
+discovery = ""
+[[line]]
+name = "line1"
+port = "sim:atv320:7"
+baud = 38400
+format = "8N1"
+timeout = 0.2
+retries = 0
+rs485 = false
+[[line.device]]
+name = "meter1"
+unit = 3
+file = "meter.toml"
+every = 2.0
+groups = [{ registers = ["energy"], every = 60.0 }]
+settings = ["set_point", "mode", "lamp"]
+[[line.device]]
+name = "fan"
+unit = 7
+drive = "ATV320"
+registers = ["RFR", "ETA.fault", "LFT"]
+settings = ["UIT1"]
+feeds_supervision = true
+)";
+
+class file_folder : public scratch_folder {
+public:
+    file_folder() { write("meter.toml", meter); }
+
+    gateway_plan read(std::string_view text) const
+    {
+        return read_gateway_file(path("gateway.toml"), std::string{text});
+    }
+
+    /// Why a text is refused, behind the name of its folder.
+    std::string refusal(std::string_view text) const
+    {
+        try {
+            static_cast<void>(read(text));
+        } catch (ended const& why) {
+            CHECK(why.status == exit_status::usage);
+            std::string const all = why.what();
+            std::string const head = path("");
+            return all.starts_with(head) ? all.substr(head.size()) : all;
+        }
+        return "taken";
+    }
+};
+
+std::string with(std::string_view text, std::string_view from, std::string_view to)
+{
+    std::string changed{text};
+    std::size_t const at = changed.find(from);
+    REQUIRE(at != changed.npos);
+    return changed.replace(at, from.size(), to);
+}
+
+device_value const& value_named(device_plan const& device, std::string_view name)
+{
+    for (device_value const& each : device.values) {
+        if (each.name == name) {
+            return each;
+        }
+    }
+    FAIL("no value " << name);
+    std::abort();
+}
+
+} // namespace
+
+TEST_CASE("a whole file has its lines, devices, values and periods")
+{
+    file_folder const folder;
+    gateway_plan const plan = folder.read(with(whole, "settings = [\"UIT1\"]\n", ""));
+
+    CHECK(plan.site == "hall3");
+    CHECK(plan.gateway == "g1");
+    CHECK(plan.broker.discovery.empty());
+    REQUIRE(plan.lines.size() == 1);
+    line_plan const& line = *plan.lines[0];
+    CHECK(line.choices.baud == 38'400);
+    CHECK(line.choices.format == "8N1");
+    CHECK(line.choices.response_timeout == 0.2);
+    CHECK(line.choices.retries == 0);
+    REQUIRE(line.devices.size() == 2);
+
+    device_plan const& meter_device = line.devices[0];
+    CHECK(meter_device.unit.unit.byte() == 3);
+    CHECK(meter_device.values.size() == 6);
+    CHECK(value_named(meter_device, "voltage").every == 2.0);
+    CHECK(value_named(meter_device, "voltage").unit == "V");
+    CHECK_FALSE(value_named(meter_device, "voltage").decimals);
+    CHECK(value_named(meter_device, "energy").every == 60.0);
+    CHECK(value_named(meter_device, "energy").decimals == 2U);
+    CHECK_FALSE(value_named(meter_device, "energy").setting);
+    device_value const& set_point = value_named(meter_device, "set_point");
+    REQUIRE(set_point.setting);
+    CHECK(set_point.setting->lowest == 5.0);
+    CHECK(set_point.setting->highest == 30.0);
+    CHECK(set_point.setting->step == 0.1);
+    CHECK(set_point.setting->is_stored);
+    CHECK(value_named(meter_device, "mode").kind == value_kind::choice);
+    CHECK(value_named(meter_device, "mode").setting->choices == std::vector<std::string>{"off", "heat"});
+    CHECK(value_named(meter_device, "lamp").kind == value_kind::flag);
+
+    device_plan const& fan = line.devices[1];
+    REQUIRE(fan.drive != nullptr);
+    CHECK(fan.unit.drive == "atv320");
+    REQUIRE(fan.values.size() == 3);
+    CHECK(fan.values[0].name == "RFR");
+    CHECK(fan.values[0].unit == "Hz");
+    CHECK(fan.values[0].decimals == 1U);
+    CHECK(fan.values[1].name == "ETA_fault");
+    CHECK(fan.values[1].kind == value_kind::flag);
+    CHECK(fan.values[2].kind == value_kind::choice);
+    bool const is_told = plan.notes.size() == 1 and plan.notes[0].find("runs on while it is read") != std::string::npos;
+    CHECK(is_told);
+}
+
+TEST_CASE("without a period in the file a register has that of its group in the register file, or a second")
+{
+    file_folder const folder;
+    gateway_plan const plan = folder.read(R"(site = "s"
+gateway = "g"
+[[line]]
+name = "l"
+port = "/dev/ttyUSB0"
+[[line.device]]
+name = "d"
+unit = 1
+file = "./meter.toml"
+)");
+    device_plan const& device = plan.lines[0]->devices[0];
+    CHECK(device.values.size() == 6);
+    CHECK(value_named(device, "energy").every == 30.0);
+    CHECK(value_named(device, "voltage").every == 1.0);
+    CHECK_FALSE(value_named(device, "set_point").setting);
+    REQUIRE(plan.notes.size() == 1);
+    CHECK(plan.notes[0].find("/dev/serial/by-id/") != std::string::npos);
+}
+
+TEST_CASE("what is wrong in the file is refused with its place")
+{
+    file_folder const folder;
+    std::string const right = with(whole, "settings = [\"UIT1\"]\n", "");
+    REQUIRE(folder.refusal(right) == "taken");
+    struct wrong_text {
+        std::string_view from;
+        std::string_view to;
+        std::string_view why; ///< begins with it
+    };
+    wrong_text const all[]{
+        {"site = \"hall3\"", "site = \"hall 3\"", "gateway.toml:1:8: site is a part of topics"},
+        {"site = \"hall3\"", "", "gateway.toml:1:1: site is missing"},
+        {"gateway = \"g1\"", "gateway = \"g1/#\"", "gateway.toml:2:11: gateway is a part of topics"},
+        {"gateway = \"g1\"", "gatway = \"g1\"", "gateway.toml:2:1: 'gatway' is no key here; did you mean 'gateway'?"},
+        {"gateway = \"g1\"", "gateway = \"g1\"\nwrite = true", "gateway.toml:3:1: 'write' is typed: no file allows it"},
+        {"host = \"127.0.0.1\"", "host = \"\"", "gateway.toml:4:8: host is empty"},
+        {"host = \"127.0.0.1\"", "port = 65536", "gateway.toml:4:8: port is a whole number from 1 to 65535"},
+        {"host = \"127.0.0.1\"", "password_file = \"p\"", "gateway.toml:4:17: a password goes with a user"},
+        {"host = \"127.0.0.1\"", "cert_file = \"p\"", "gateway.toml:3:1: cert_file and key_file go together"},
+        {"discovery = \"\"", "discovery = \"a/+\"", "gateway.toml:5:13: discovery is the prefix"},
+        {"name = \"line1\"", "name = \"status\"", "gateway.toml:7:8: 'status' is a topic of the gateway itself"},
+        {"port = \"sim:atv320:7\"\n", "", "gateway.toml:6:1: port is missing"},
+        {"port = \"sim:atv320:7\"", "port = \"sim:atv3200:7\"", "gateway.toml:8:8: port = \"sim:atv3200:7\": "},
+        {"baud = 38400", "baud = 38401", "gateway.toml:9:8: baud = \"38401\": 38401 bits a second"},
+        {"format = \"8N1\"", "format = 8E1", "gateway.toml:10:10: "},
+        {"timeout = 0.2", "timeout = 0", "gateway.toml:11:11: timeout = \"0\": '0' is no number from 0.001 to 30"},
+        {"rs485 = false", "rs485 = 2", "gateway.toml:13:9: rs485 = \"2\": it is true or false"},
+        {"unit = 3", "unit = 0", "gateway.toml:16:8: unit is a whole number from 1 to 247"},
+        {"unit = 3\n", "", "gateway.toml:14:1: unit is missing"},
+        {"unit = 3", "unit = 7", "gateway.toml:23:8: unit '7' stands in line 16, too"},
+        {"name = \"fan\"", "name = \"meter1\"", "gateway.toml:22:8: the device 'meter1' stands in line 15, too"},
+        {"file = \"meter.toml\"", "file = \"none.toml\"", "gateway.toml:17:8: "},
+        {"file = \"meter.toml\"\n", "", "gateway.toml:14:1: the device 'meter1' has either a register file"},
+        {"every = 2.0", "every = 0.001", "gateway.toml:18:9: every is a number of seconds, 0.02 to 86400"},
+        {"every = 2.0", "evry = 2.0", "gateway.toml:18:1: 'evry' is no key here; did you mean 'every'?"},
+        {"[\"energy\"], every = 60.0", "[\"enrgy\"], every = 60.0", "gateway.toml:19:26: "},
+        {"[\"energy\"], every = 60.0 }", "[\"energy\"], every = 60.0 }, { registers = [\"energy\"], every = 1 }",
+         "gateway.toml:19:69: energy is in two groups"},
+        {"[\"energy\"], every = 60.0", "[\"energy\"]", "gateway.toml:19:11: a group has registers and a period"},
+        {"\"lamp\"", "\"valve\"",
+         "gateway.toml:20:34: valve cannot be a setting: it moves something, as its register file says in line 42"},
+        {"\"lamp\"", "\"voltage\"", "gateway.toml:20:34: voltage cannot be a setting: it has no access = \"write\""},
+        {"\"lamp\"", "\"coil:4\"",
+         "gateway.toml:20:34: coil:4 cannot be a setting: a setting is a register by its name"},
+        {"drive = \"ATV320\"", "drive = \"atv32\"", "gateway.toml:24:9: 'atv32' is no drive"},
+        {"feeds_supervision = true", "", "gateway.toml:24:9: reading 'fan' feeds the drive's supervision of its line"},
+        {"feeds_supervision = true", "feeds_supervision = 1", "gateway.toml:26:21: feeds_supervision is true or false"},
+        {"[\"RFR\", \"ETA.fault\", \"LFT\"]", "[\"RFRR\"]", "gateway.toml:25:14: "},
+        {"[\"RFR\", \"ETA.fault\", \"LFT\"]", "[]", "gateway.toml:25:13: registers is a list of names"},
+    };
+    for (wrong_text const& each : all) {
+        std::string const why = folder.refusal(with(right, each.from, each.to));
+        CAPTURE(each.to, why);
+        CHECK(why.starts_with(each.why));
+    }
+    CHECK(folder.refusal("") ==
+          "gateway.toml:1:1: site is missing: it is a part of topics, 1 to 64 letters, digits, - and _");
+    CHECK(folder.refusal("site = \"a\"\ngateway = \"b\"\n").find("it has no lines") != std::string::npos);
+}
+
+TEST_CASE("of a drive nothing is a setting that moves its motor, changes how it turns, or lets it run on")
+{
+    file_folder const folder;
+    for (std::string_view const name :
+         {"CMD", "LFR", "LFRD", "HSP", "LSP", "ACC", "CHCF", "FR1", "RFR", "SLL", "TTO"}) {
+        std::string const text = with(whole, "UIT1", name);
+        CAPTURE(name);
+        std::string const why = folder.refusal(text);
+        bool const may_be_judged_by_value = name == "SLL" or name == "TTO";
+        CHECK((why.starts_with("gateway.toml:26:13: " + std::string{name} + " cannot be a setting: ") or
+               may_be_judged_by_value));
+    }
+}
+
+TEST_CASE("a line is another one where its words, or those of its register files, are others")
+{
+    file_folder folder;
+    std::string const right = with(whole, "settings = [\"UIT1\"]\n", "");
+    std::string const before = folder.read(right).lines[0]->said;
+
+    CHECK(folder.read(with(right, "hall3", "hall4")).lines[0]->said == before);
+    CHECK(folder.read(with(right, "baud = 38400", "# at last\nbaud = 38_400")).lines[0]->said == before);
+    CHECK(folder.read(with(right, "baud = 38400", "baud = 9600")).lines[0]->said != before);
+    CHECK(folder.read(with(right, "every = 2.0", "every = 2.5")).lines[0]->said != before);
+    folder.write("meter.toml", std::string{meter} + "# more\n");
+    CHECK(folder.read(right).lines[0]->said != before);
+}
+
+TEST_CASE("a password is read from a file that not everybody reads")
+{
+    file_folder const folder;
+    std::string const file = folder.write("password", "se cret\n");
+    std::string const text = with(with(whole, "settings = [\"UIT1\"]\n", ""), "host = \"127.0.0.1\"",
+                                  "user = \"u\"\npassword_file = \"password\"");
+    std::string const name = folder.write("gateway.toml", text);
+
+    fs::permissions(file, fs::perms::owner_read | fs::perms::group_read);
+    CHECK(password_of(gateway_file_at(name).broker) == "se cret");
+    for (fs::perms const each : {fs::perms::others_read, fs::perms::others_write}) {
+        fs::permissions(file, fs::perms::owner_read | each);
+        CHECK_THROWS_WITH(gateway_file_at(name),
+                          file + ": anybody may read or change this password; say chmod o= " + file);
+    }
+    fs::remove(file);
+    CHECK_THROWS_WITH(gateway_file_at(name), file + ": No such file or directory");
+    folder.write("password", "two\nlines\n");
+    fs::permissions(file, fs::perms::owner_read);
+    CHECK_THROWS_WITH(gateway_file_at(name), file + ": it holds the password alone, on one line of at most 1024 bytes");
+}
+
+TEST_CASE("each of 3000 drawn changes of a right file is taken, or refused with a place")
+{
+    file_folder const folder;
+    std::string const right = with(whole, "settings = [\"UIT1\"]\n", "");
+    rtuwire::sim::random_source draws{7};
+    unsigned refused = 0;
+    for (unsigned i = 0; i < 3'000; ++i) {
+        std::string text = right;
+        for (std::uint32_t changes = 1 + draws.below(3); changes > 0; --changes) {
+            std::size_t const at = draws.below(static_cast<std::uint32_t>(text.size()));
+            switch (draws.below(4)) {
+            case 0: text[at] = static_cast<char>(draws.below(256)); break;
+            case 1: text.erase(at, 1 + draws.below(20)); break;
+            case 2:
+                text.insert(at, right, draws.below(static_cast<std::uint32_t>(right.size())), 1 + draws.below(40));
+                break;
+            default: text.insert(at, 1, "\"[]{}=.,#\n0"[draws.below(12)]); break;
+            }
+        }
+        std::string const why = folder.refusal(text);
+        CAPTURE(text, why);
+        CHECK((why == "taken" or why.starts_with("gateway.toml:") or why.starts_with("meter.toml:")));
+        refused += why == "taken" ? 0U : 1U;
+    }
+    CHECK(refused > 1'500);
+    CHECK(refused < 3'000);
+}
