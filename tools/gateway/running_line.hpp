@@ -82,6 +82,9 @@ public:
     [[nodiscard]] std::vector<setting_answer> take_answers();
     [[nodiscard]] std::vector<line_event> take_events();
 
+    /// Begins to end; the destructor waits for it.
+    void end();
+
 private:
     class parts;
     std::unique_ptr<parts> parts_;

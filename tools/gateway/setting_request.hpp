@@ -35,10 +35,10 @@ constexpr std::string_view name_of(setting_result result) noexcept
 
 /// Each request has one.
 struct setting_answer {
-    std::size_t device;
-    std::size_t value;
-    std::string id;
-    setting_result result;
+    std::size_t device{0};
+    std::size_t value{0};
+    std::string id{};
+    setting_result result{setting_result::failed};
     std::string why{}; ///< or what there is to know of what was done; may be empty
     std::uint64_t time{0};
 };

@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The rounds of a line, in simulated time: periods, silent devices, others in their place, lost ports, settings, a day.
+#include "../../tools/gateway/line_rounds.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <malloc.h>
+
+#include "support/catch.hpp"
+
+#include "gateway/timed_line.hpp"
+
+using namespace gateway_test;
+
+namespace {
+
+constexpr std::size_t power = 0, energy = 1, level = 2, limit = 3;
+
+std::uint64_t seconds_after(std::uint64_t time, std::uint64_t since) { return (time - since) / 1'000'000; }
+
+} // namespace
+
+TEST_CASE("each value is read in its own period, with the time and the number of its round")
+{
+    rounds_on_line on{2};
+    on.line.units[0].held = 7;
+    on.run_for(120s);
+    // 10 ms after its due time at the latest, so that the last round of a period is in.
+    CHECK(on.line.units[1].reads == 120);
+    CHECK(on.line.units[0].reads == 120 + 2);
+
+    device_slot::content const now = on.board.device(0);
+    CHECK(now->is_available);
+    CHECK(now->values[power].state == value_state::valid);
+    CHECK(std::get<std::int64_t>(now->values[power].value) == 7);
+    CHECK(now->seq == on.line.units[0].reads);
+    CHECK(now->values[power].seq > now->values[energy].seq);
+    CHECK(seconds_after(now->values[power].time, first_second) == 119);
+    CHECK(seconds_after(now->values[energy].time, first_second) == 60);
+
+    on.run_for(1s);
+    CHECK(on.board.device(0)->seq == now->seq + 1); // the newest overwrites
+    CHECK(on.board.device(0)->values[energy].seq == now->values[energy].seq);
+}
+
+TEST_CASE("a value that is none is marked, and none stands there")
+{
+    rounds_on_line on{1};
+    on.line.units[0].is_invalid = true;
+    on.run_for(2s);
+    slot_value const value = on.board.device(0)->values[power];
+    CHECK(value.state == value_state::invalid);
+    CHECK(std::holds_alternative<std::monostate>(value.value));
+    CHECK(value.why == "no value");
+    CHECK(on.board.device(0)->is_available);
+}
+
+TEST_CASE("a heartbeat comes from the loop of the line")
+{
+    rounds_on_line on{1};
+    on.run_for(10s);
+    line_state const before = on.board.state();
+    CHECK(before.is_up);
+    CHECK(before.opened == 1);
+    CHECK(before.requests == on.line.counts().asked);
+    CHECK(seconds_after(before.time, first_second) >= 9);
+    line_state const frozen = on.board.state(); // nobody made a step
+    CHECK(frozen.time == before.time);
+    CHECK(frozen.seq == before.seq);
+    on.run_for(1s);
+    CHECK(on.board.state().time >= before.time + 900'000);
+    CHECK(on.board.state().seq > before.seq);
+}
+
+TEST_CASE("silent devices cost the others nothing beyond their turns")
+{
+    for (std::size_t const silent : {std::size_t{1}, std::size_t{15}, std::size_t{29}}) {
+        rounds_on_line on{30};
+        for (std::size_t i = 0; i < silent; ++i) {
+            on.line.units[29 - i].is_there = false;
+        }
+        on.run_for(60s); // they are known as silent
+        std::vector<unsigned> before;
+        for (timed_line::unit const& each : on.line.units) {
+            before.push_back(each.reads);
+        }
+        unsigned long const silences = on.line.counts().silent;
+        on.run_for(600s);
+        CAPTURE(silent);
+        // The line is busy for 0.3 s of a second at most: all who are there are read each second.
+        for (std::size_t i = 0; i < 30 - silent; ++i) {
+            CHECK(on.line.units[i].reads - before[i] >= 599);
+        }
+        // A tenth of 600 s is 300 time-outs of 0.2 s.
+        CHECK(on.line.counts().silent - silences <= 300);
+        CHECK(on.line.counts().silent - silences >= 60);
+        CHECK(on.board.state().overruns <= 2);           // of the first rounds, before anybody is known as silent
+        for (std::size_t i = 30 - silent; i < 30; ++i) { // and none of them is forgotten
+            CHECK(on.line.units[i].identified > 5);
+        }
+    }
+}
+
+TEST_CASE("the values of a silent device are marked and stay so, and it is identified before they count again")
+{
+    rounds_on_line on{2};
+    on.run_for(5s);
+    unsigned const identified = on.line.units[0].identified;
+    CHECK(identified == 1);
+    static_cast<void>(on.board.take_events());
+    on.line.units[0].is_there = false;
+    on.run_for(5s);
+    device_slot::content const lost = on.board.device(0);
+    CHECK_FALSE(lost->is_available);
+    CHECK(lost->why == "no response in time");
+    for (slot_value const& each : lost->values) {
+        CHECK(each.state == value_state::not_read);
+        CHECK(std::holds_alternative<std::monostate>(each.value));
+    }
+    on.run_for(600s);
+    CHECK(on.board.device(0)->seq == lost->seq); // nothing is repeated
+    CHECK(on.count(event_kind::device_silent) == 1);
+
+    on.line.units[0].is_there = true;
+    on.run_for(10s);
+    CHECK(on.board.device(0)->is_available);
+    CHECK(on.board.device(0)->values[power].state == value_state::valid);
+    CHECK(on.line.units[0].identified > identified);
+    CHECK(on.count(event_kind::device_back) == 1);
+}
+
+TEST_CASE("one missed response marks a value, and loses nobody")
+{
+    rounds_on_line on{1};
+    on.run_for(5s);
+    static_cast<void>(on.board.take_events());
+    unsigned const identified = on.line.units[0].identified;
+    unsigned long const silences = on.line.counts().silent;
+    on.line.units[0].is_there = false;
+    while (on.line.counts().silent == silences) {
+        on.rounds.step();
+    }
+    on.line.units[0].is_there = true;
+    CHECK(on.board.device(0)->is_available);
+    CHECK(on.board.device(0)->values[power].state == value_state::failed);
+    on.run_for(3s);
+    CHECK(on.board.device(0)->values[power].state == value_state::valid);
+    CHECK(on.line.units[0].identified == identified);
+    CHECK(on.board.take_events().empty());
+}
+
+TEST_CASE("another device in its place is marked, and nothing of it is published")
+{
+    rounds_on_line on{2};
+    on.line.units[0].held = 42;
+    on.line.units[0].is_other = true;
+    on.run_for(300s);
+    CHECK(on.line.units[0].reads == 0);
+    CHECK(on.line.units[0].identified == 5);
+    CHECK_FALSE(on.board.device(0)->is_available);
+    CHECK(on.board.device(0)->why == "another device");
+    CHECK(on.count(event_kind::wrong_device) == 1);
+    CHECK(on.line.units[1].reads >= 299);
+
+    on.line.units[0].is_other = false;
+    on.run_for(62s);
+    CHECK(on.board.device(0)->values[power].state == value_state::valid);
+
+    // Exchanged while it was away.
+    on.line.units[0].is_there = false;
+    on.run_for(5s);
+    on.line.units[0].is_there = true;
+    on.line.units[0].is_other = true;
+    unsigned const reads = on.line.units[0].reads;
+    on.run_for(60s);
+    CHECK(on.line.units[0].reads == reads);
+    CHECK(on.board.device(0)->why == "another device");
+}
+
+TEST_CASE("a lost port is opened again with growing pauses, and all is marked meanwhile")
+{
+    rounds_on_line on{2};
+    on.run_for(5s);
+    CHECK(on.count(event_kind::port_opened) == 1);
+    on.line.is_gone = true;
+    on.run_for(100s);
+    CHECK_FALSE(on.board.state().is_up);
+    CHECK(on.board.state().why == "the port is gone");
+    CHECK(on.line.opens >= 10);
+    CHECK(on.line.opens <= 20); // of 8 s in the end
+    for (std::size_t const each : {0U, 1U}) {
+        CHECK_FALSE(on.board.device(each)->is_available);
+        CHECK(on.board.device(each)->values[0].state == value_state::not_read);
+    }
+    CHECK(on.count(event_kind::port_lost) == 1);
+    std::uint64_t const time = on.board.state().time;
+    on.line.is_gone = false;
+    on.run_for(10s);
+    CHECK(on.board.state().time > time);
+    CHECK(on.board.state().is_up);
+    CHECK(on.board.state().opened == 2);
+    CHECK(on.count(event_kind::port_opened) == 1);
+    CHECK(on.board.device(0)->values[power].state == value_state::valid);
+    CHECK(on.line.units[0].identified == 2);
+}
+
+TEST_CASE("a port that was never there is told, and opened when it comes")
+{
+    rounds_on_line on{1};
+    on.line.is_gone = true;
+    on.run_for(60s);
+    CHECK_FALSE(on.board.state().is_up);
+    CHECK(on.board.device(0)->why == "the port is gone");
+    CHECK(on.count(event_kind::port_lost) == 1);
+    on.line.is_gone = false;
+    on.run_for(10s);
+    CHECK(on.board.device(0)->is_available);
+}
+
+TEST_CASE("more than the line carries is left out, told once, and everybody has a share")
+{
+    rounds_on_line on{20};
+    on.line.response = 100ms; // 20 of them are 2 s, of a period of 1 s
+    on.run_for(600s);
+    CHECK(on.board.state().overruns > 5'000);
+    CHECK(on.count(event_kind::note) == 1);
+    auto const reads = [](timed_line::unit const& each) { return each.reads; };
+    unsigned const least = reads(*std::ranges::min_element(on.line.units, {}, reads));
+    unsigned const most = reads(*std::ranges::max_element(on.line.units, {}, reads));
+    CHECK(least > 250);
+    CHECK(most < least + 30); // the first has a value of a minute besides
+}
+
+TEST_CASE("a setting is written once, answered, and read soon")
+{
+    rounds_on_line on{1};
+    on.run_for(5s);
+    on.submit(limit, "21", 10s, "first");
+    on.run_for(100ms);
+    setting_answer const answer = on.answer();
+    CHECK(answer.result == setting_result::done);
+    CHECK(answer.id == "first");
+    CHECK(answer.device == 0);
+    CHECK(answer.value == limit);
+    CHECK(on.line.units[0].written == 1);
+    CHECK(std::get<std::int64_t>(on.board.device(0)->values[limit].value) == 21);
+    on.run_for(600s);
+    CHECK(on.line.units[0].written == 1);
+    CHECK(on.board.take_answers().empty());
+}
+
+TEST_CASE("what may not be written is answered and never leaves")
+{
+    rounds_on_line on{1};
+    on.run_for(5s);
+    on.submit(power, "1");
+    CHECK(on.answer().why == "it is none of the settings that the file names");
+    on.board.submit({5, 0, "1", on.line.unix_time() + 1'000'000}, on.line.unix_time(), on.line.now());
+    CHECK(on.answer().result == setting_result::refused);
+    on.submit(limit, "1", 0s);
+    CHECK(on.answer().result == setting_result::expired);
+    on.submit(limit, "1", 60s + 1us);
+    CHECK(on.answer().why == "it expires more than 60 s ahead");
+    on.submit(limit, "1", 60s);
+    CHECK(on.board.take_answers().empty()); // it waits
+    on.run_for(1s);
+    CHECK(on.answer().result == setting_result::done);
+    CHECK(on.line.units[0].written == 1);
+
+    rounds_on_line reading{1, false};
+    reading.run_for(5s);
+    reading.submit(limit, "1");
+    CHECK(reading.answer().why == "this gateway only reads: it runs without --write");
+    reading.run_for(5s);
+    CHECK(reading.line.units[0].written == 0);
+}
+
+TEST_CASE("a newer value of a register takes the place of one that waits")
+{
+    rounds_on_line on{1};
+    on.run_for(5s);
+    on.submit(limit, "1", 10s, "a");
+    on.submit(limit, "2", 10s, "b");
+    CHECK(on.answer().id == "a");
+    on.submit(level, "3", 10s, "c");
+    on.run_for(1s);
+    std::vector<setting_answer> const both = on.board.take_answers();
+    REQUIRE(both.size() == 2);
+    CHECK(both[0].id == "b");
+    CHECK(both[1].id == "c");
+    CHECK(on.line.units[0].written == 2);
+}
+
+TEST_CASE("a setting that expires behind another's time-out, or while it is judged, is not written")
+{
+    rounds_on_line on{2};
+    on.run_for(5s);
+    on.submit(limit, "1", 100ms);
+    on.line.pass(150ms); // a request of another unit
+    on.run_for(1s);
+    CHECK(on.answer().result == setting_result::expired);
+
+    on.line.before_write = 150ms;
+    on.submit(limit, "1", 100ms);
+    on.run_for(1s);
+    CHECK(on.answer().result == setting_result::expired);
+    CHECK(on.line.units[0].written == 0);
+}
+
+TEST_CASE("a stored register is written once a minute at most")
+{
+    rounds_on_line on{1};
+    on.run_for(5s);
+    on.submit(level, "1");
+    on.run_for(1s);
+    CHECK(on.answer().result == setting_result::done);
+    on.submit(level, "2");
+    on.run_for(1s);
+    setting_answer const soon = on.answer();
+    CHECK(soon.result == setting_result::refused);
+    CHECK(soon.why.find("60 s lie between two") != std::string::npos);
+    on.run_for(58s);
+    on.submit(level, "3");
+    on.run_for(1s);
+    CHECK(on.answer().result == setting_result::done);
+    CHECK(on.line.units[0].written == 2);
+    on.submit(limit, "1"); // one that is not stored
+    on.run_for(1s);
+    on.submit(limit, "2");
+    on.run_for(1s);
+    CHECK(on.line.units[0].written == 4);
+}
+
+TEST_CASE("for a device or a port that is away a setting fails at once, and comes to nothing later")
+{
+    rounds_on_line on{1};
+    on.run_for(5s);
+    on.line.units[0].is_there = false;
+    on.run_for(10s);
+    on.submit(limit, "1");
+    on.run_for(100ms);
+    CHECK(on.answer().result == setting_result::failed);
+    on.line.units[0].is_there = true;
+    on.run_for(10s);
+    CHECK(on.line.units[0].written == 0);
+
+    on.line.loses_port_in_write = true;
+    on.submit(limit, "1");
+    on.run_for(100ms);
+    CHECK(on.answer().result == setting_result::failed);
+    CHECK(on.line.units[0].written == 1);
+    on.submit(limit, "2");
+    on.run_for(100ms);
+    CHECK(on.answer().why == "the line is away: the port is gone");
+    on.line.loses_port_in_write = false;
+    on.line.is_gone = false;
+    on.run_for(60s);
+    CHECK(on.board.state().is_up);
+    CHECK(on.line.units[0].written == 1); // no second try
+    CHECK(on.board.take_answers().empty());
+}
+
+TEST_CASE("nobody who takes nothing makes a line grow, and many settings starve no reading")
+{
+    rounds_on_line on{2};
+    for (unsigned i = 0; i < 5'000; ++i) {
+        on.submit(limit, std::to_string(i));
+        on.line.units[1].is_there = i % 40 < 20;
+        on.run_for(1s);
+    }
+    CHECK(on.board.take_events().size() == line_board::most_events);
+    CHECK(on.board.take_answers().size() == line_board::most_answers);
+    CHECK(on.line.units[0].reads >= 4'990);
+}
+
+TEST_CASE("a day of a line takes as much memory as its first hour")
+{
+    rounds_on_line on{10};
+    auto const hours = [&on](unsigned count) {
+        for (unsigned i = 0; i < count * 3'600; i += 60) {
+            on.line.units[i / 60 % 10].is_there = i / 60 % 3 != 0;
+            on.line.is_gone = i % 1'800 == 0;
+            on.submit(limit, "1");
+            on.run_for(60s);
+            on.line.is_gone = false;
+            static_cast<void>(on.board.take_events());
+            static_cast<void>(on.board.take_answers());
+        }
+    };
+    hours(1);
+    std::size_t const before = ::mallinfo2().uordblks;
+    hours(23);
+    std::size_t const after = ::mallinfo2().uordblks;
+    CHECK(after <= before + 4'096);
+    CHECK(on.line.counts().asked > 500'000);
+}

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A line of the gateway in simulated time: what its devices do is set by the test, and what a request costs is counted.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../../tools/gateway/asked_line.hpp"
+#include "../../tools/gateway/line_board.hpp"
+#include "../../tools/gateway/line_rounds.hpp"
+
+namespace gateway_test {
+
+using namespace tool;
+using namespace tool::gateway;
+using namespace std::chrono_literals;
+using time_point = asked_line::clock::time_point;
+
+inline constexpr std::uint64_t first_second = 1'800'000'000'000'000; ///< microseconds since 1970, when a line begins
+
+class timed_line final : public asked_line {
+public:
+    struct unit {
+        bool is_there{true};
+        bool is_other{false};
+        bool is_invalid{false};
+        std::int64_t held{0};
+        std::vector<time_point> read_at{}; ///< kept where a test asks for it
+        unsigned reads{0};
+        unsigned identified{0};
+        unsigned written{0};
+    };
+
+    explicit timed_line(line_plan const& plan) : units(plan.devices.size()), plan_{plan}, parts_{parts_of(plan)} {}
+
+    clock::time_point now() const override { return now_; }
+    std::uint64_t unix_time() const override
+    {
+        auto const passed = std::chrono::duration_cast<std::chrono::microseconds>(now_.time_since_epoch());
+        return first_second + static_cast<std::uint64_t>(passed.count());
+    }
+    void wait(clock::time_point until) override
+    {
+        refuse_lost();
+        now_ = std::max(now_, until);
+    }
+    void open() override
+    {
+        ++opens;
+        pass(1ms);
+        is_open_ = not is_gone;
+        refuse_lost();
+    }
+    void close() override { is_open_ = false; }
+
+    device_finding identify(std::size_t device) override
+    {
+        unit& asked = units[device];
+        ++asked.identified;
+        if (not request(asked)) {
+            return {device_finding::kind::silent, "no response in time"};
+        }
+        return asked.is_other ? device_finding{device_finding::kind::wrong, "another device"} : device_finding{};
+    }
+
+    part_reading read(std::size_t part) override
+    {
+        unit& asked = units[parts_[part].device];
+        ++asked.reads;
+        if (keeps_times) {
+            asked.read_at.push_back(now_);
+        }
+        part_reading found{.has_responded = request(asked)};
+        found.why = found.has_responded ? "" : "no response in time";
+        for (std::size_t i = 0; i < parts_[part].values.size(); ++i) {
+            found.values.push_back(not found.has_responded ? slot_value{.state = value_state::failed, .why = found.why}
+                                   : asked.is_invalid ? slot_value{.state = value_state::invalid, .why = "no value"}
+                                                      : slot_value{.state = value_state::valid, .value = asked.held});
+        }
+        return found;
+    }
+
+    setting_outcome write(setting_request const& request_, std::function<bool()> const& is_expired) override
+    {
+        pass(before_write);
+        if (is_expired()) {
+            return {setting_result::expired, "late"};
+        }
+        refuse_lost();
+        unit& asked = units[request_.device];
+        ++asked.written;
+        if (loses_port_in_write) {
+            is_gone = true;
+        }
+        refuse_lost();
+        pass(response);
+        asked.held = std::stoll(request_.text);
+        return {setting_result::done, {}, true};
+    }
+
+    exchange_counts const& counts() const override { return counts_; }
+
+    void pass(clock::duration time) { now_ += time; }
+
+    std::vector<unit> units;
+    clock::duration response{10ms};
+    clock::duration timeout{200ms};
+    clock::duration before_write{0ms};
+    bool is_gone{false}; ///< the port
+    bool loses_port_in_write{false};
+    bool keeps_times{false};
+    unsigned opens{0};
+
+private:
+    void refuse_lost() const
+    {
+        if (is_gone and (is_open_ or opens > 0)) {
+            throw ended{exit_status::port, "the port is gone"};
+        }
+    }
+    bool request(unit const& asked)
+    {
+        refuse_lost();
+        ++counts_.asked;
+        counts_.silent += asked.is_there ? 0U : 1U;
+        pass(asked.is_there ? response : timeout);
+        return asked.is_there;
+    }
+
+    line_plan const& plan_;
+    std::vector<device_part> parts_;
+    clock::time_point now_{};
+    bool is_open_{false};
+    exchange_counts counts_{};
+};
+
+/// So many devices with one value each, of a second; the first with another of a minute, and a stored setting.
+inline line_plan plan_of(std::size_t devices)
+{
+    line_plan plan{.name = "line1"};
+    for (std::size_t i = 0; i < devices; ++i) {
+        device_plan one{.name = "d" + std::to_string(i), .unit = {.unit = rtuwire::unit_id{1}}};
+        one.values.push_back({.name = "power", .which = {}, .every = 1.0});
+        plan.devices.push_back(std::move(one));
+    }
+    plan.devices[0].values.push_back({.name = "energy", .which = {}, .every = 60.0});
+    plan.devices[0].values.push_back(
+        {.name = "level", .which = {}, .every = 1.0, .setting = setting_limits{.is_stored = true}});
+    plan.devices[0].values.push_back({.name = "limit", .which = {}, .every = 1.0, .setting = setting_limits{}});
+    return plan;
+}
+
+/// A line with its rounds.
+struct rounds_on_line {
+    explicit rounds_on_line(std::size_t devices, bool may_write = true)
+        : plan{plan_of(devices)}, line{plan}, board{plan, may_write, [this] { ++news; }}, rounds{plan, line, board}
+    {}
+
+    void run_for(asked_line::clock::duration time)
+    {
+        for (time_point const end = line.now() + time; line.now() < end;) {
+            rounds.step();
+        }
+    }
+
+    void submit(std::size_t value, std::string text, std::chrono::microseconds valid = 10s, std::string id = "id")
+    {
+        board.submit(
+            {0, value, std::move(text), line.unix_time() + static_cast<std::uint64_t>(valid.count()), std::move(id)},
+            line.unix_time(), line.now());
+    }
+
+    /// The one answer since the last call.
+    setting_answer answer()
+    {
+        std::vector<setting_answer> const all = board.take_answers();
+        return all.size() == 1 ? all[0] : setting_answer{.why = std::to_string(all.size()) + " answers"};
+    }
+
+    unsigned count(event_kind what)
+    {
+        unsigned found = 0;
+        for (line_event const& each : board.take_events()) {
+            found += each.what == what ? 1U : 0U;
+        }
+        return found;
+    }
+
+    line_plan plan;
+    timed_line line;
+    unsigned long news{0};
+    line_board board;
+    line_rounds rounds;
+};
+
+} // namespace gateway_test

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What the rounds of a line ask of it: on a port, or in simulated time.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "device_slot.hpp"
+#include "gateway_file.hpp"
+#include "line/exchange_counts.hpp"
+#include "setting_request.hpp"
+
+namespace tool::gateway {
+
+/// Values of one device that are read together, as often as each other.
+struct device_part {
+    std::size_t device;
+    double every;                      ///< seconds
+    std::vector<std::size_t> values{}; ///< of `device_plan::values`
+};
+
+std::vector<device_part> parts_of(line_plan const& plan);
+
+struct part_reading {
+    bool has_responded{false};        ///< with a value, or an exception of its own
+    std::string why{};                ///< it has not
+    std::vector<slot_value> values{}; ///< as in `device_part::values`, without times
+};
+
+/// Who is at an address.
+struct device_finding {
+    enum class kind : std::uint8_t { right, wrong, silent };
+
+    kind what{kind::right};
+    std::string why{};
+};
+
+struct setting_outcome {
+    setting_result result;
+    std::string why{};
+    bool was_sent{false}; ///< a frame has left that writes
+};
+
+/// All but the clocks end (`ended`, of whatever status) where the port fails.
+class asked_line {
+public:
+    using clock = std::chrono::steady_clock;
+
+    asked_line() = default;
+    asked_line(asked_line const&) = delete;
+    asked_line& operator=(asked_line const&) = delete;
+    virtual ~asked_line() = default;
+
+    virtual clock::time_point now() const = 0;
+    virtual std::uint64_t unix_time() const = 0; ///< microseconds since 1970
+    /// Until then, or so long as it likes; what comes meanwhile is nobody's response.
+    virtual void wait(clock::time_point until) = 0;
+
+    virtual void open() = 0;
+    virtual void close() = 0;
+    virtual device_finding identify(std::size_t device) = 0;
+    virtual part_reading read(std::size_t part) = 0;
+    /// Once, where all that `write` looks at allows it, and `is_expired` says no just before it leaves.
+    virtual setting_outcome write(setting_request const& request, std::function<bool()> const& is_expired) = 0;
+    /// Since it began, over all that was opened.
+    virtual exchange_counts const& counts() const = 0;
+};
+
+} // namespace tool::gateway

@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line_rounds.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+
+#include "output/plain_text.hpp"
+
+namespace tool::gateway {
+
+namespace {
+
+std::chrono::steady_clock::duration period_of(double seconds)
+{
+    return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>{seconds});
+}
+
+} // namespace
+
+std::vector<device_part> parts_of(line_plan const& plan)
+{
+    std::vector<device_part> parts;
+    for (std::size_t device = 0; device < plan.devices.size(); ++device) {
+        std::map<double, std::vector<std::size_t>> by_period;
+        std::vector<device_value> const& values = plan.devices[device].values;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            by_period[values[i].every].push_back(i);
+        }
+        for (auto& [every, which] : by_period) {
+            parts.push_back({device, every, std::move(which)});
+        }
+    }
+    return parts;
+}
+
+line_rounds::line_rounds(line_plan const& plan, asked_line& line, line_board& board)
+    : plan_{plan}, line_{line}, board_{board}, devices_(plan.devices.size())
+{
+    for (device_part& each : parts_of(plan)) {
+        clock::duration const period = period_of(each.every);
+        parts_.push_back({std::move(each), period, line.now()});
+    }
+    for (std::size_t i = 0; i < devices_.size(); ++i) {
+        devices_[i].content = *board.device(i);
+    }
+}
+
+void line_rounds::step()
+{
+    show_state();
+    try {
+        act();
+    } catch (std::exception const& why) {
+        lose_port(why.what());
+    }
+}
+
+void line_rounds::act()
+{
+    if (auto const setting = board_.take_setting()) { // one, so that many of them starve no reading
+        write(*setting);
+    }
+    clock::time_point const now = line_.now();
+    if (state_.is_up) {
+        ask_parts(now);
+    } else if (port_patience_.is_due(now)) {
+        open();
+    } else {
+        line_.wait(now + longest_wait);
+    }
+}
+
+void line_rounds::show_state()
+{
+    exchange_counts const& counts = line_.counts();
+    state_.time = line_.unix_time();
+    ++state_.seq;
+    state_.requests = counts.asked;
+    state_.silences = counts.silent;
+    state_.refusals = counts.refused;
+    state_.errors = counts.damaged;
+    board_.set_state(state_);
+}
+
+void line_rounds::open()
+{
+    line_.open();
+    clock::time_point const now = line_.now();
+    port_patience_.note(true, now);
+    state_.is_up = true;
+    state_.why.clear();
+    ++state_.opened;
+    was_port_told_ = false;
+    tell(event_kind::port_opened, {}, "its port is open: " + plan_.choices.port);
+    for (part& each : parts_) {
+        each.due = now;
+    }
+}
+
+void line_rounds::lose_port(std::string const& why)
+{
+    line_.close();
+    state_.is_up = false;
+    state_.why = why;
+    port_patience_.note(false, line_.now());
+    if (not was_port_told_) {
+        tell(event_kind::port_lost, {}, why);
+    }
+    was_port_told_ = true;
+    for (std::size_t i = 0; i < devices_.size(); ++i) {
+        devices_[i].patience = asked_less{misses_allowed};
+        devices_[i].misses = 0;
+        devices_[i].wrong_until = {};
+        if (devices_[i].content.why != why) {
+            mark_lost(i, why);
+        }
+    }
+    show_state();
+}
+
+bool line_rounds::has_live_ones() const { return std::ranges::any_of(devices_, &device::is_identified); }
+
+bool line_rounds::may_ask(device const& which, clock::time_point now) const
+{
+    bool const is_probe = which.patience.is_silent();
+    return now >= which.wrong_until and which.patience.is_due(now) and (not is_probe or now >= probes_from_);
+}
+
+void line_rounds::ask_parts(clock::time_point now)
+{
+    part* first = nullptr;
+    clock::time_point next = now + longest_wait;
+    for (part& each : parts_) {
+        if (each.due > now) {
+            next = std::min(next, each.due);
+        } else if (may_ask(devices_[each.what.device], now) and (first == nullptr or each.due < first->due)) {
+            first = &each;
+        }
+    }
+    if (first == nullptr) {
+        line_.wait(next);
+        return;
+    }
+    ask(*first);
+}
+
+void line_rounds::ask(part& one)
+{
+    std::size_t const which = one.what.device;
+    if (devices_[which].is_identified or identify(which)) {
+        read(one, static_cast<std::size_t>(&one - parts_.data()));
+    }
+    schedule(one, devices_[which].is_identified);
+}
+
+/// Counted from where it began, so that no round makes the next one late for good; what was missed is left out.
+void line_rounds::schedule(part& one, bool is_live)
+{
+    clock::time_point const now = line_.now();
+    auto const missed = one.due + one.period > now ? 0 : (now - one.due) / one.period;
+    one.due += one.period * (missed + 1);
+    if (is_live and missed > 0) {
+        state_.overruns += static_cast<std::uint64_t>(missed);
+        if (not std::exchange(was_overrun_told_, true)) {
+            tell(event_kind::note, {},
+                 "more is asked than the line carries: rounds are left out, longer periods would help");
+        }
+    }
+    if (devices_[one.what.device].misses > 0) { // a lost one is found soon
+        one.due = std::min(one.due, now + std::chrono::seconds{1});
+    }
+}
+
+bool line_rounds::identify(std::size_t which)
+{
+    device& one = devices_[which];
+    clock::time_point const began = line_.now();
+    device_finding const found = line_.identify(which);
+    if (found.what == device_finding::kind::silent) {
+        note_silence(which, found.why, line_.now() - began);
+        return false;
+    }
+    one.patience.note(true, line_.now());
+    one.misses = 0;
+    if (found.what == device_finding::kind::wrong) {
+        one.wrong_until = line_.now() + wrong_device_pause;
+        if (one.content.why != found.why) {
+            mark_lost(which, found.why);
+            one.was_told = true;
+            tell(event_kind::wrong_device, plan_.devices[which].name, found.why);
+        }
+        return false;
+    }
+    one.is_identified = true;
+    return true;
+}
+
+void line_rounds::note_silence(std::size_t which, std::string const& why, clock::duration cost)
+{
+    device& one = devices_[which];
+    clock::time_point const now = line_.now();
+    ++one.misses;
+    one.patience.note(false, now);
+    if (not one.patience.is_silent()) {
+        return;
+    }
+    one.is_identified = false;
+    if (one.content.why != why) {
+        mark_lost(which, why);
+    }
+    if (not std::exchange(one.was_told, true)) {
+        tell(event_kind::device_silent, plan_.devices[which].name, why);
+    }
+    probes_from_ = has_live_ones() ? now + 9 * cost : now;
+}
+
+/// Nothing of it is known any more.
+void line_rounds::mark_lost(std::size_t which, std::string const& why)
+{
+    device& one = devices_[which];
+    one.is_identified = false;
+    one.content.is_available = false;
+    one.content.why = why;
+    ++one.content.seq;
+    for (slot_value& each : one.content.values) {
+        each = {.time = line_.unix_time(), .seq = one.content.seq, .why = why};
+    }
+    put(which);
+}
+
+void line_rounds::read(part& one, std::size_t index)
+{
+    std::size_t const which = one.what.device;
+    device& asked = devices_[which];
+    clock::time_point const began = line_.now();
+    part_reading found = line_.read(index);
+    if (not found.has_responded) {
+        note_silence(which, found.why, line_.now() - began);
+        if (not asked.is_identified) {
+            return; // all of it is marked
+        }
+    } else {
+        asked.patience.note(true, line_.now());
+        asked.misses = 0;
+        if (std::exchange(asked.was_told, false)) {
+            tell(event_kind::device_back, plan_.devices[which].name, "it responds again");
+        }
+        asked.content.is_available = true;
+        asked.content.why.clear();
+    }
+    ++asked.content.seq;
+    std::uint64_t const time = line_.unix_time();
+    for (std::size_t i = 0; i < one.what.values.size(); ++i) {
+        slot_value& to = asked.content.values[one.what.values[i]];
+        to = std::move(found.values[i]);
+        to.time = time;
+        to.seq = asked.content.seq;
+    }
+    put(which);
+}
+
+void line_rounds::put(std::size_t which)
+{
+    devices_[which].content.time = line_.unix_time();
+    board_.put(which, devices_[which].content);
+}
+
+std::string line_rounds::why_not_written(setting_request const& request) const
+{
+    device const& to = devices_[request.device];
+    if (not state_.is_up) {
+        return "the line is away: " + state_.why;
+    }
+    if (not to.is_identified or not to.content.is_available) {
+        return "the device is away: " + to.content.why;
+    }
+    auto const before = written_.find({request.device, request.value});
+    if (before != written_.end() and line_.now() - before->second < least_interval) {
+        return "its device stores it, and its memory bears a limited number of writes: 60 s lie between two";
+    }
+    return {};
+}
+
+void line_rounds::write(waiting_setting const& setting)
+{
+    setting_request const& request = setting.request;
+    auto const is_expired = [&] { return line_.now() >= setting.until or line_.unix_time() >= request.expires; };
+    if (is_expired()) {
+        answer(request, setting_result::expired, "it expired before its turn");
+        return;
+    }
+    if (std::string const why = why_not_written(request); not why.empty()) {
+        answer(request,
+               state_.is_up and devices_[request.device].is_identified ? setting_result::refused
+                                                                       : setting_result::failed,
+               why);
+        return;
+    }
+    std::optional<setting_outcome> outcome;
+    try {
+        outcome = line_.write(request, is_expired);
+    } catch (std::exception const& why) {
+        answer(request, setting_result::failed, why.what()); // whatever else: it has its answer, and is not tried again
+        throw;
+    }
+    device_value const& value = plan_.devices[request.device].values[request.value];
+    if (outcome->was_sent and value.setting->is_stored) {
+        written_[{request.device, request.value}] = line_.now();
+    }
+    if (outcome->was_sent) {
+        for (part& each : parts_) { // what it holds now is published soon
+            bool const has_it =
+                each.what.device == request.device and std::ranges::count(each.what.values, request.value) != 0;
+            each.due = has_it ? std::min(each.due, line_.now()) : each.due;
+        }
+    }
+    answer(request, outcome->result, outcome->why);
+}
+
+void line_rounds::answer(setting_request const& request, setting_result result, std::string why)
+{
+    device_plan const& to = plan_.devices[request.device];
+    tell(event_kind::setting, to.name,
+         to.values[request.value].name + '=' + request.text + ": " + std::string{name_of(result)} +
+             (why.empty() ? "" : ": " + why));
+    board_.answer({request.device, request.value, request.id, result, std::move(why), line_.unix_time()});
+}
+
+void line_rounds::tell(event_kind what, std::string const& who, std::string const& text)
+{
+    board_.tell({what, line_.unix_time(), who, plan_.name + ": " + (who.empty() ? "" : who + ": ") + plain_text(text)});
+}
+
+} // namespace tool::gateway

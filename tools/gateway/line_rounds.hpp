@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The rounds of one line: what is due is read, oldest first; a setting goes before. A device that is silent is asked with
+// growing pauses, and all silent ones together take a tenth of the line's time while others answer. A device is identified
+// before its values count, and again once it was lost.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "asked_line.hpp"
+#include "line/asked_less.hpp"
+#include "line_board.hpp"
+
+namespace tool::gateway {
+
+class line_rounds {
+public:
+    using clock = asked_line::clock;
+
+    /// So long a step waits at most, so that a setting or an end is not overlooked.
+    static constexpr std::chrono::milliseconds longest_wait{50};
+    /// Between two writes to a register that its device stores.
+    static constexpr std::chrono::seconds least_interval{60};
+    /// Between two looks at what has another device's place.
+    static constexpr std::chrono::seconds wrong_device_pause{60};
+
+    line_rounds(line_plan const& plan, asked_line& line, line_board& board);
+
+    /// What is due next: opens the port, writes a setting, reads a part; else it waits. Where the port fails it is closed, and
+    /// opened again in a later step, with growing pauses.
+    void step();
+
+private:
+    struct part {
+        device_part what;
+        clock::duration period;
+        clock::time_point due;
+    };
+    struct device {
+        asked_less patience{misses_allowed};
+        bool is_identified{false};
+        bool was_told{false}; ///< that it is lost, or another's
+        unsigned misses{0};
+        clock::time_point wrong_until{};
+        slot_content content{};
+    };
+
+    static constexpr unsigned misses_allowed = 2;
+
+    void act();
+    void open();
+    void lose_port(std::string const& why);
+    void ask_parts(clock::time_point now);
+    bool may_ask(device const& which, clock::time_point now) const;
+    bool has_live_ones() const;
+    void ask(part& one);
+    /// False where it is silent, or another.
+    bool identify(std::size_t which);
+    void read(part& one, std::size_t index);
+    void schedule(part& one, bool is_live);
+    void note_silence(std::size_t which, std::string const& why, clock::duration cost);
+    void mark_lost(std::size_t which, std::string const& why);
+    void write(waiting_setting const& setting);
+    std::string why_not_written(setting_request const& request) const;
+    void answer(setting_request const& request, setting_result result, std::string why);
+    void put(std::size_t which);
+    void tell(event_kind what, std::string const& who, std::string const& text);
+    void show_state();
+
+    line_plan const& plan_;
+    asked_line& line_;
+    line_board& board_;
+    std::vector<part> parts_{};
+    std::vector<device> devices_{};
+    asked_less port_patience_{1};
+    clock::time_point probes_from_{}; ///< a silent one is asked then, at the earliest
+    std::map<std::pair<std::size_t, std::size_t>, clock::time_point> written_{}; ///< of stored registers
+    bool was_port_told_{false};
+    bool was_overrun_told_{false};
+    line_state state_{.why = "not opened yet"};
+};
+
+} // namespace tool::gateway

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "opened_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include "line/reading.hpp"
+#include "line/time_text.hpp"
+#include "line/who_is_it.hpp"
+#include "line/write_log.hpp"
+#include "motion/checked_values.hpp"
+#include "motion/unsafe_write.hpp"
+#include "motion/value_sender.hpp"
+#include "output/plain_text.hpp"
+#include "words/named_value.hpp"
+
+namespace tool::gateway {
+
+namespace {
+
+using rtuwire::errc;
+
+/// A gateway on the way says of a unit that it does not respond.
+bool is_silence(errc why)
+{
+    return status_of(why) == exit_status::no_answer or why == errc::gateway_path_unavailable or
+           why == errc::gateway_target_failed_to_respond;
+}
+
+/// What came is no response of the unit: nothing, or something damaged.
+bool is_no_response(errc why) { return why != errc::none and not is_refusal_of_unit(why); }
+
+std::optional<double> number_of(cell const& value)
+{
+    if (auto const* const amount = std::get_if<double>(&value)) {
+        return *amount;
+    }
+    if (auto const* const large = std::get_if<std::uint64_t>(&value)) {
+        return static_cast<double>(*large);
+    }
+    auto const* const count = std::get_if<std::int64_t>(&value);
+    return count != nullptr ? std::optional{static_cast<double>(*count)} : std::nullopt;
+}
+
+/// Why a value that was read is none; empty where it is one.
+std::string why_invalid(device_value const& value, reading const& it, std::vector<std::uint16_t> const& words)
+{
+    if (std::holds_alternative<std::monostate>(it.value)) {
+        return it.text;
+    }
+    std::optional<double> const number = number_of(it.value);
+    if (number and not std::isfinite(*number)) {
+        return it.text + " is no number";
+    }
+    named_place const* const named = value.which.named;
+    if (named == nullptr) {
+        return {};
+    }
+    if (is_no_value(*named, words)) {
+        return it.text;
+    }
+    if (not named->choices.empty() and number) {
+        return it.text;
+    }
+    bool const is_outside =
+        number and (*number < named->lowest.value_or(*number) or *number > named->highest.value_or(*number));
+    return is_outside ? it.text + " is outside its limits" : std::string{};
+}
+
+} // namespace
+
+opened_line::opened_line(line_plan const& plan) : plan_{plan}
+{
+    for (device_part& each : parts_of(plan)) {
+        device_plan const& device = plan.devices[each.device];
+        std::vector<chosen_register> registers;
+        for (std::size_t const which : each.values) {
+            registers.push_back(device.values[which].which);
+        }
+        register_reader reader{registers, {device.drive, device.names.get()}};
+        parts_.push_back({std::move(each), std::move(reader)});
+    }
+}
+
+std::uint64_t opened_line::unix_time() const { return unix_now(); }
+
+void opened_line::wait(clock::time_point until)
+{
+    if (line_) {
+        auto const left = std::chrono::ceil<std::chrono::microseconds>(until - now());
+        line_->let_pass(std::max(left, std::chrono::microseconds{0}));
+    } else {
+        std::this_thread::sleep_until(until);
+    }
+}
+
+void opened_line::open()
+{
+    line_.emplace(plan_.choices);
+    line_->count_in(&counts_);
+}
+
+std::string opened_line::why_wrong(device_plan const& device)
+{
+    unit_address const unit = device.unit.unit;
+    identity_words const who = who_is_it(*line_, unit);
+    if (who.outcome == exit_status::port) {
+        throw ended{exit_status::port, line_->port().failure()};
+    }
+    std::string const says =
+        "unit " + std::to_string(unit.byte()) + " calls itself '" + who.vendor + ' ' + who.product + '\'';
+    if (device.drive != nullptr) {
+        bool const is_other = who.is_another or is_of_another_family(who, *device.drive);
+        return is_other
+                   ? (who.product.empty() ? "unit " + std::to_string(unit.byte()) +
+                                                (who.drive.empty() ? " is none of these drives" : " is an " + who.drive)
+                                          : says) +
+                         ", and the file says that it is an " + device.unit.drive
+                   : std::string{};
+    }
+    bool const may_be_drive = not who.drive.empty() or who.may_be_drive or may_be_unnamed_drive(*line_, unit, who);
+    if (may_be_drive and not device.feeds_supervision) {
+        return (who.product.empty() ? "unit " + std::to_string(unit.byte()) : says) +
+               (who.drive.empty() ? " and may be a drive" : " and is an " + who.drive) +
+               ": reading it feeds its supervision of the line, which the file does not say: drive = \"...\" and "
+               "feeds_supervision = true";
+    }
+    bool const is_said = not device.names->vendor.empty() and not who.product.empty();
+    return is_said ? why_another_device(unit, who, device.names->vendor, device.names->product) : std::string{};
+}
+
+device_finding opened_line::identify(std::size_t which)
+{
+    device_plan const& device = plan_.devices[which];
+    // One that is away costs one request.
+    held_words const first = read_place(*line_, device.unit.unit, device.values.front().which.where);
+    if (status_of(first.why) == exit_status::port) {
+        throw ended{exit_status::port, line_->port().failure()};
+    }
+    if (is_silence(first.why)) {
+        return {device_finding::kind::silent, first.failure};
+    }
+    std::string const why = why_wrong(device);
+    return why.empty() ? device_finding{} : device_finding{device_finding::kind::wrong, why};
+}
+
+slot_value opened_line::value_of(device_plan const& device, device_value const& value,
+                                 register_reader const& from) const
+{
+    reading const it = reading_of(value.which, from, device.drive);
+    if (not it.is_read) {
+        return {.state = value_state::failed, .why = it.text};
+    }
+    std::string why = why_invalid(value, it, from.held(value.which.where).words);
+    return why.empty() ? slot_value{.state = value_state::valid, .value = it.value}
+                       : slot_value{.state = value_state::invalid, .why = std::move(why)};
+}
+
+part_reading opened_line::read(std::size_t which)
+{
+    read_part& part = parts_[which];
+    device_plan const& device = plan_.devices[part.what.device];
+    part.reader.read(*line_, device.unit.unit, true);
+    part_reading found{.why = part.reader.first_failure()};
+    for (std::size_t const each : part.what.values) {
+        device_value const& value = device.values[each];
+        found.has_responded = found.has_responded or not is_no_response(part.reader.held(value.which.where).why);
+        found.values.push_back(value_of(device, value, part.reader));
+    }
+    return found;
+}
+
+setting_outcome opened_line::write(setting_request const& request, std::function<bool()> const& is_expired)
+{
+    device_plan const& device = plan_.devices[request.device];
+    chosen_register const& which = device.values[request.value].which;
+    std::string const label = label_of(which);
+    if (request.text.empty() or request.text.size() > 256 or plain_text(request.text) != request.text) {
+        return {setting_result::refused, "no value is empty, longer than 256 bytes or has control characters"};
+    }
+    choices chosen{.line = plan_.choices, .allowed = {.may_write = true}};
+    chosen.line.unit = std::to_string(device.unit.unit.byte());
+    try {
+        if (std::string const why = why_nothing_can_be_noted(); not why.empty()) {
+            return {setting_result::refused, "nothing could be noted: " + why};
+        }
+        write_rules const rules = rules_to_write(*line_, device.unit, chosen.allowed);
+        value_list const values = checked_values({label + '=' + request.text}, *line_, device.unit, rules, chosen);
+        if (values.size() != 1 or values[0].where != which.where) {
+            return {setting_result::refused, "'" + request.text + "' is no value of " + label};
+        }
+        if (rules.drive == nullptr) {
+            refuse_frame_within(device.unit.unit, values);
+        } else if (auto const why = why_not_now(values, *line_, device.unit.unit, *rules.drive, chosen.allowed)) {
+            return {why->status == exit_status::refused ? setting_result::refused : setting_result::failed,
+                    why->what()};
+        }
+        return send(device, values, is_expired);
+    } catch (ended const& why) {
+        if (why.status == exit_status::port) {
+            throw;
+        }
+        bool const is_refused = why.status == exit_status::usage or why.status == exit_status::refused;
+        return {is_refused ? setting_result::refused : setting_result::failed, why.what()};
+    }
+}
+
+setting_outcome opened_line::send(device_plan const& device, std::vector<value_to_write> const& values,
+                                  std::function<bool()> const& is_expired)
+{
+    value_to_write const& value = values[0];
+    unit_address const unit = device.unit.unit;
+    held_words const before = read_place(*line_, unit, value.where);
+    if (before.why == errc::none and value.is_held_by(before.words)) {
+        return {setting_result::done, "it is " + value.text + " already, and is not written again"};
+    }
+    if (is_expired()) {
+        return {setting_result::expired, "it expired before it could be written"};
+    }
+    std::string note;
+    // Once: what became of a request without a response is read, and nothing is written again.
+    errc const outcome = value_sender{*line_, unit, device.drive != nullptr}.send(values, note);
+    std::string failure = outcome == errc::none ? std::string{} : line_->words_of_failure(outcome);
+    if (status_of(outcome) == exit_status::port) {
+        throw ended{exit_status::port, "written or not, nobody knows: " + failure};
+    }
+    held_words const after = read_place(*line_, unit, value.where);
+    std::string const was = before.why == errc::none ? value.text_of_words(before.words) : "unknown";
+    std::string const is = after.why == errc::none ? value.text_of_words(after.words) : "unknown";
+    bool const is_held = after.why == errc::none and value.is_held_by(after.words);
+    setting_outcome done{setting_result::done, note, true};
+    if (not is_held or is_refusal_to_write(outcome)) {
+        done.result = is_refusal_to_write(outcome) ? setting_result::refused : setting_result::failed;
+        done.why = outcome != errc::none     ? failure
+                   : after.why != errc::none ? "it could not be read back: " + after.failure
+                                             : "the unit holds " + is;
+    }
+    bool const was_not_written =
+        is_refusal_to_write(outcome) and after.why == errc::none and before.words == after.words;
+    std::string const missed =
+        was_not_written ? std::string{}
+                        : log_write({plan_.choices.port, unit.byte(), label_of({value.where, value.entry}), was, is});
+    done.why += missed.empty() ? "" : (done.why.empty() ? "" : "; ") + std::string{"not noted: "} + missed;
+    if (status_of(after.why) == exit_status::port) {
+        throw ended{exit_status::port, "written, and not read back: " + line_->port().failure()};
+    }
+    return done;
+}
+
+} // namespace tool::gateway

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A line of the gateway on its port, in real time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asked_line.hpp"
+#include "line/open_line.hpp"
+#include "line/register_reader.hpp"
+#include "words/value_words.hpp"
+
+namespace tool::gateway {
+
+class opened_line final : public asked_line {
+public:
+    explicit opened_line(line_plan const& plan);
+
+    clock::time_point now() const override { return clock::now(); }
+    std::uint64_t unix_time() const override;
+    void wait(clock::time_point until) override;
+    void open() override;
+    void close() override { line_.reset(); }
+    device_finding identify(std::size_t device) override;
+    part_reading read(std::size_t part) override;
+    setting_outcome write(setting_request const& request, std::function<bool()> const& is_expired) override;
+    exchange_counts const& counts() const override { return counts_; }
+
+private:
+    struct read_part {
+        device_part what;
+        register_reader reader;
+    };
+
+    /// Why what answers there is not what the file says; empty where it is.
+    std::string why_wrong(device_plan const& device);
+    setting_outcome send(device_plan const& device, std::vector<value_to_write> const& values,
+                         std::function<bool()> const& is_expired);
+    slot_value value_of(device_plan const& device, device_value const& value, register_reader const& from) const;
+
+    line_plan const& plan_;
+    std::vector<read_part> parts_{};
+    std::optional<open_line> line_{};
+    exchange_counts counts_{};
+};
+
+} // namespace tool::gateway

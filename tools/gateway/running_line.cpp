@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "running_line.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <utility>
+
+#include "line/time_text.hpp"
+#include "line_board.hpp"
+#include "line_rounds.hpp"
+#include "opened_line.hpp"
+#include "port/without_signals.hpp"
+
+namespace tool::gateway {
+
+class running_line::parts {
+public:
+    parts(std::shared_ptr<line_plan const> which, bool may_write, std::function<void()> on_news)
+        : plan{std::move(which)}, board{*plan, may_write, std::move(on_news)}
+    {
+        without_signals const kept;
+        thread_ = std::thread{[this] { run(); }};
+    }
+    parts(parts const&) = delete;
+    parts& operator=(parts const&) = delete;
+    ~parts()
+    {
+        end();
+        thread_.join();
+    }
+
+    void end() { shall_end_ = true; }
+
+    std::shared_ptr<line_plan const> plan;
+    line_board board;
+
+private:
+    void run()
+    {
+        opened_line line{*plan};
+        line_rounds rounds{*plan, line, board};
+        while (not shall_end_) {
+            rounds.step();
+        }
+    }
+
+    std::atomic<bool> shall_end_{false};
+    std::thread thread_{};
+};
+
+running_line::running_line(std::shared_ptr<line_plan const> plan, bool may_write, std::function<void()> on_news)
+    : parts_{std::make_unique<parts>(std::move(plan), may_write, std::move(on_news))}
+{}
+
+running_line::~running_line() = default;
+
+line_plan const& running_line::plan() const noexcept { return *parts_->plan; }
+
+line_state running_line::state() const { return parts_->board.state(); }
+
+device_slot::content running_line::device(std::size_t which) const { return parts_->board.device(which); }
+
+void running_line::submit(setting_request request)
+{
+    parts_->board.submit(std::move(request), unix_now(), std::chrono::steady_clock::now());
+}
+
+std::vector<setting_answer> running_line::take_answers() { return parts_->board.take_answers(); }
+
+std::vector<line_event> running_line::take_events() { return parts_->board.take_events(); }
+
+void running_line::end() { parts_->end(); }
+
+running_lines::running_lines(bool may_write, std::function<void()> on_news)
+    : may_write_{may_write}, on_news_{std::move(on_news)}
+{}
+
+running_lines::~running_lines() { apply({}); }
+
+void running_lines::apply(gateway_plan const& plan)
+{
+    std::vector<std::shared_ptr<running_line>> next;
+    for (auto const& each : plan.lines) {
+        auto const same = std::ranges::find_if(lines_, [&each](auto const& one) {
+            return one != nullptr and one->plan().name == each->name and one->plan().said == each->said;
+        });
+        next.push_back(same == lines_.end() ? nullptr : std::exchange(*same, nullptr));
+    }
+    std::erase(lines_, nullptr);
+    for (auto const& each : lines_) { // all of them at once, before one is waited for
+        each->end();
+    }
+    lines_.clear(); // a port is free before its new line opens it
+    for (std::size_t i = 0; i < next.size(); ++i) {
+        if (next[i] == nullptr) {
+            next[i] = std::make_shared<running_line>(plan.lines[i], may_write_, on_news_);
+        }
+    }
+    lines_ = std::move(next);
+}
+
+} // namespace tool::gateway
