@@ -167,7 +167,10 @@ std::string why_no_setting(chosen_register const& which, drive_catalog const* dr
     if (which.named == nullptr and not which.entry->is_writable()) {
         return "it is read only";
     }
-    value_to_write const value{.where = which.where, .entry = which.entry, .named = which.named};
+    value_to_write value{.where = which.where, .entry = which.entry, .named = which.named};
+    if (which.entry != nullptr) {
+        value.needed = {which.entry}; // no value yet: that is judged when it comes
+    }
     try {
         refuse_command(value, {.drive = drive, .says_it_is_none = drive == nullptr}, nobody_allows);
         if (drive != nullptr) {
