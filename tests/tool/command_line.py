@@ -185,6 +185,9 @@ def check_configuration(tool, check):
     file.write_text('port = "sim:atv320:7"\nbaud = "9600"\nretries = "0"\necho = "false"\ntimeout = 0.25\nlisten = 0\nunit = "7"\n')
     ended = tool.run("--config", "cabinet.toml", "--json", "read", "RFR")
     check(ended.status == DONE and ended.objects()[0]["unit"] == 7, "numbers in quotation marks are taken, as they were", ended)
+    file.write_text('port = "sim:atv320:7"\nrs485 = true\n')
+    ended = tool.run("--config", "cabinet.toml", "-d", "atv320", "-u", 7, "read", "RFR")
+    check(ended.status == USAGE and "--rs485: sim:atv320:7 is no serial device" in ended.errors, "rs485 of the file", ended)
     file.write_text('port = "sim:atv320:7,atv12:3"\nname = [\n  "fan=7:atv320",  # in the cellar\n  \'pump=3\',\n]\n'
                     "baud = 9600\ntimeout = 0.5\nunit = 7\n")
     ended = tool.run("--config", "cabinet.toml", "--json", "-u", "fan", "read", "RFR")
