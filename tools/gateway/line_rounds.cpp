@@ -122,6 +122,13 @@ void line_rounds::lose_port(std::string const& why)
 
 bool line_rounds::has_live_ones() const { return std::ranges::any_of(devices_, &device::is_identified); }
 
+bool line_rounds::is_settled() const
+{
+    return std::ranges::all_of(devices_, [](device const& each) {
+        return each.is_identified or each.patience.is_silent() or each.wrong_until != clock::time_point{};
+    });
+}
+
 bool line_rounds::may_ask(device const& which, clock::time_point now) const
 {
     bool const is_probe = which.patience.is_silent();
@@ -155,18 +162,21 @@ void line_rounds::ask(part& one)
     schedule(one, devices_[which].is_identified);
 }
 
-/// Counted from where it began, so that no round makes the next one late for good; what was missed is left out.
+/// Counted from where it began, so that no round makes the next one late for good; what was missed is left out. What a look at
+/// new devices takes is no fault of the periods.
 void line_rounds::schedule(part& one, bool is_live)
 {
     clock::time_point const now = line_.now();
-    auto const missed = one.due + one.period > now ? 0 : (now - one.due) / one.period;
-    one.due += one.period * (missed + 1);
-    if (is_live and missed > 0) {
-        state_.overruns += static_cast<std::uint64_t>(missed);
-        if (not std::exchange(was_overrun_told_, true)) {
-            tell(event_kind::note, {},
-                 "more is asked than the line carries: rounds are left out, longer periods would help");
-        }
+    settled_from_ = is_settled() ? settled_from_ : now;
+    auto const missed_since = [&](clock::time_point since) {
+        return now < since + one.period ? 0 : (now - since) / one.period;
+    };
+    auto const left_out = is_live ? missed_since(std::max(one.due, settled_from_)) : 0;
+    one.due += one.period * (missed_since(one.due) + 1);
+    state_.overruns += static_cast<std::uint64_t>(left_out);
+    if (left_out > 0 and not std::exchange(was_overrun_told_, true)) {
+        tell(event_kind::note, {},
+             "more is asked than the line carries: rounds are left out, longer periods would help");
     }
     if (devices_[one.what.device].misses > 0) { // a lost one is found soon
         one.due = std::min(one.due, now + std::chrono::seconds{1});

@@ -58,6 +58,8 @@ private:
     void ask_parts(clock::time_point now);
     bool may_ask(device const& which, clock::time_point now) const;
     bool has_live_ones() const;
+    /// Whether each device was met, or is known to be away.
+    bool is_settled() const;
     void ask(part& one);
     /// False where it is silent, or another.
     bool identify(std::size_t which);
@@ -78,6 +80,7 @@ private:
     std::vector<part> parts_{};
     std::vector<device> devices_{};
     asked_less port_patience_{1};
+    clock::time_point settled_from_{};
     clock::time_point probes_from_{}; ///< a silent one is asked then, at the earliest
     std::map<std::pair<std::size_t, std::size_t>, clock::time_point> written_{}; ///< of stored registers
     bool was_port_told_{false};
