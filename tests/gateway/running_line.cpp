@@ -65,9 +65,23 @@ name = "lamp"
 space = "coil"
 address = 4
 access = "write"
+
+[[register]]
+name = "speed"
+address = 60
+access = "write"
+max = 10
+simulated = 12
+
+[[register]]
+name = "mode"
+address = 61
+access = "write"
+choices = { off = 0, heat = 1 }
+simulated = 7
 )";
 
-constexpr std::size_t voltage = 0, temperature = 1, set_point = 2, wide = 3, lamp = 4;
+constexpr std::size_t voltage = 0, temperature = 1, set_point = 2, wide = 3, lamp = 4, speed = 5, mode = 6;
 
 std::string line_text(std::string const& name, std::string const& port, std::string const& devices)
 {
@@ -141,6 +155,12 @@ TEST_CASE("a device of a register file is read on its port, and what means no va
     CHECK(std::holds_alternative<std::monostate>(now->values[temperature].value));
     CHECK(std::get<double>(now->values[set_point].value) == 20.0);
     CHECK(std::get<bool>(now->values[lamp].value) == false);
+    for (std::size_t const outside : {speed, mode}) {
+        CHECK(now->values[outside].state == value_state::invalid);
+        CHECK(std::holds_alternative<std::monostate>(now->values[outside].value));
+    }
+    CHECK(now->values[speed].why.find("outside its limits") != std::string::npos);
+    CHECK(now->values[mode].why.find("none of its choices") != std::string::npos);
     CHECK(now->values[voltage].time + 60'000'000 > unix_now());
     CHECK(comes([&] { return line.device(0)->seq > now->seq + 3; }));
     CHECK(line.state().is_up);
@@ -192,6 +212,31 @@ TEST_CASE("a drive is identified before its values count, and another one in its
         CHECK(each.state == value_state::not_read);
     }
     CHECK(line.device(0)->values[0].state == value_state::valid);
+}
+
+TEST_CASE("a setting of a drive is checked by its table, and what it does by its value")
+{
+    lines_of_folder on;
+    on.lines.apply(on.plan(line_text("l1", "sim:atv320:7",
+                                     device_text("fan", 7,
+                                                 "drive = \"atv320\"\nregisters = [\"RFR\"]\nsettings = [\"ITH\", "
+                                                 "\"SLL\", \"TTO\"]\nfeeds_supervision = true"))));
+    running_line& line = on.only();
+    REQUIRE(comes([&] { return line.device(0)->is_available; }));
+    constexpr std::size_t ith = 1, sll = 2, tto = 3;
+    cell const before = line.device(0)->values[ith].value;
+    setting_answer const far = answer_of(line, tto, "31s");
+    CAPTURE(far.why);
+    CHECK(far.result == setting_result::refused);
+    setting_answer const off = answer_of(line, sll, "0");
+    CAPTURE(off.why);
+    CHECK(off.result == setting_result::refused);
+    CHECK(line.device(0)->values[ith].value == before);
+    double const next = std::get<double>(before) - 0.1;
+    setting_answer const done = answer_of(line, ith, std::to_string(next).substr(0, 4));
+    CAPTURE(done.why, next);
+    CHECK(done.result == setting_result::done);
+    CHECK(comes([&] { return line.device(0)->values[ith].value != before; }));
 }
 
 TEST_CASE("a drive that is called a meter is not read on")
