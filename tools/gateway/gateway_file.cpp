@@ -38,7 +38,7 @@ constexpr std::string_view line_options[]{"port",  "baud", "format", "timeout", 
                                           "pause", "echo", "rs485",  "listen"};
 
 /// What a device of a gateway may never be written, whatever is allowed: nobody watches.
-choices const nobody_allows{.allowed = {.may_write = true}};
+choices const nobody_allows{.allowed = {.may_write = true, .knows_run = false}};
 
 bool is_topic_letter(char c)
 {

@@ -182,7 +182,7 @@ setting_outcome opened_line::write(setting_request const& request, std::function
     if (request.text.empty() or request.text.size() > 256 or plain_text(request.text) != request.text) {
         return {setting_result::refused, "no value is empty, longer than 256 bytes or has control characters"};
     }
-    choices chosen{.line = plan_.choices, .allowed = {.may_write = true}};
+    choices chosen{.line = plan_.choices, .allowed = {.may_write = true, .knows_run = false}};
     chosen.line.unit = std::to_string(device.unit.unit.byte());
     try {
         if (std::string const why = why_nothing_can_be_noted(); not why.empty()) {
