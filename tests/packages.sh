@@ -28,10 +28,11 @@ packages_of() {
         playground) echo clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 ;;
         browser) echo chromium nodejs npm ;;
         npm) echo nodejs npm ;;
+        proxies) echo prometheus stunnel4 openssl ;;
         newcomer) echo debootstrap ;;
         cache) echo ccache ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool gateway arm emulator clang afl bench portability avr packaging style docs playground browser npm newcomer cache" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool gateway arm emulator clang afl bench portability avr packaging style docs playground browser npm proxies newcomer cache" >&2
             return 1
             ;;
     esac
