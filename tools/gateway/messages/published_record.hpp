@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Which topics the broker keeps for this gateway, on the disk: so that a device that has left the file is taken back also by
+// the next process. They are noted before they are published.
+#pragma once
+
+#include <set>
+#include <string>
+
+namespace tool::gateway {
+
+class published_record {
+public:
+    /// `owner`: the gateway's file, as several gateways may share a folder.
+    published_record(std::string folder, std::string owner);
+
+    [[nodiscard]] std::set<std::string> const& topics() const { return topics_; }
+    /// Why it is not on the disk; empty while it is.
+    [[nodiscard]] std::string const& failure() const { return failure_; }
+
+    /// Notes these, and no others.
+    void keep(std::set<std::string> topics);
+
+private:
+    std::string folder_;
+    std::string owner_;
+    std::set<std::string> topics_{};
+    std::string failure_{};
+};
+
+} // namespace tool::gateway
