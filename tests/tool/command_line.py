@@ -282,13 +282,37 @@ def check_stop_beside(tool, check):
     (tool.place / "rtuwire.toml").unlink()
 
 
+def check_gateway(tool, check):
+    """The gateway is a program of its own: beside this one, or in PATH."""
+    place, path = tool.place / "alone", tool.place / "path"
+    for each in (place, path):
+        each.mkdir()
+    shutil.copy(tool.program, place / "rtuwire")
+
+    def run(*words):
+        return subprocess.run([place / "rtuwire", *words], env={**tool.environment, "PATH": str(path)}, cwd=tool.place,
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    ended = run("gateway", "g.toml")
+    check(ended.returncode == USAGE and "rtuwire-gateway is not installed" in ended.stderr, "where it is not", ended)
+    for folder in (path, place):
+        (folder / "rtuwire-gateway").write_text(f'#!/bin/sh\nprintf "%s|" {folder.name} "$@"\nexit 5\n')
+        (folder / "rtuwire-gateway").chmod(0o755)
+        ended = run("--json", "--write", "gateway", "g 1.toml", "--check")
+        check((ended.returncode, ended.stdout) == (5, f"{folder.name}|g 1.toml|--check|--write|--json|"),
+              "its words and its status are the gateway's", ended)
+    check(run("gateway").stdout == "alone|", "without a word")
+    ended = run("--csv", "gateway")
+    check(ended.returncode == USAGE and "--csv" in ended.stderr, "it knows no CSV", ended)
+
+
 def main(check, program):
     with Tool(program) as tool:
         for words, parts in WRONG:
             ended = tool.run(*words)
             is_named = ended.errors.startswith("rtuwire: ") and all(part in ended.errors for part in parts)
             check(ended.status == USAGE and not ended.output and is_named, f"{words} is refused", ended)
-        for part in (check_help, check_completion, check_configuration, check_times, check_rs485, check_register_files, check_stop, check_stop_beside):
+        for part in (check_help, check_completion, check_configuration, check_times, check_rs485, check_register_files, check_stop, check_stop_beside,
+                     check_gateway):
             part(tool, check)
 
 

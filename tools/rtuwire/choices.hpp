@@ -159,7 +159,8 @@ struct choices {
     std::optional<double> every{}; ///< seconds; nothing: as the command thinks best
     std::optional<double> last{};  ///< seconds; nothing: until somebody ends the program
     std::string vendor{};
-    std::string sunspec{}; ///< a folder of models; empty: none
+    std::string sunspec{};   ///< a folder of models; empty: none
+    bool only_checks{false}; ///< what a file says, and opens nothing
 };
 
 } // namespace tool

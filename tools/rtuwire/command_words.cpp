@@ -449,6 +449,16 @@ void add_serve(CLI::App& app, choices& chosen)
         "or this\none waited 5 s; 0A no such unit here; 0B the unit did not answer, or the line is away.");
 }
 
+void add_gateway(CLI::App& app, choices& chosen)
+{
+    CLI::App& gateway = add_command(app, chosen, "gateway", "devices on lines to an MQTT broker, as a file says");
+    gateway.add_option("FILE", chosen.words, "its lines, devices and broker; without one /etc/rtuwire/gateway.toml")
+        ->expected(0, 1);
+    gateway.add_flag("--check", chosen.only_checks, "check the file and all that it names, and show what it publishes");
+    add_to_footer(gateway, "It runs rtuwire-gateway, until somebody ends it; HUP reads the file again. --write allows "
+                           "the settings that the\nfile names. Ports, rates and units stand in the file.");
+}
+
 /// What the program says of itself.
 void add_own_texts(CLI::App& app, choices& chosen)
 {
@@ -474,6 +484,7 @@ void add_words(CLI::App& app, choices& chosen)
     add_check(app, chosen);
     add_chaos(app, chosen);
     add_serve(app, chosen);
+    add_gateway(app, chosen);
     add_own_texts(app, chosen);
 }
 

@@ -39,6 +39,7 @@ exit_status run_check(choices const& chosen);
 exit_status run_chaos(choices const& chosen);
 exit_status run_serve(choices const& chosen);
 exit_status run_device(choices const& chosen);
+exit_status run_gateway(choices const& chosen);
 
 /// What a command makes of the register file of a unit, of --device or --name.
 enum class file_use : std::uint8_t {
@@ -69,6 +70,7 @@ inline constexpr command commands[]{
     {"decode", run_decode, file_use::names},    {"simulate", run_simulate, file_use::served},
     {"device", run_device, file_use::none},     {"check", run_check, file_use::none},
     {"chaos", run_chaos, file_use::none},       {"serve", run_serve, file_use::none},
+    {"gateway", run_gateway, file_use::none},
 };
 
 /// Null where there is none of that name: `completion` and `man` are of the command line itself.

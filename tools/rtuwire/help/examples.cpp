@@ -34,6 +34,7 @@ constexpr std::pair<std::string_view, std::string_view> examples[] = {
     {"check", "rtuwire -p /dev/ttyUSB0 -u 61 check --junit check.xml"},
     {"chaos", "rtuwire chaos --from pty --to /dev/ttyUSB0 --faults late=1%,lost@250 --dry"},
     {"serve", "rtuwire -p /dev/ttyUSB0 serve --units 1-4,7 --metrics 127.0.0.1:9502"},
+    {"gateway", "rtuwire gateway gateway.toml --check"},
     {"decode", "rtuwire decode 07 03 0C 82 00 01 27 14"},
     {"simulate", "rtuwire simulate atv320:7 atv12:3"},
     {"ports", "rtuwire ports"},
