@@ -14,7 +14,7 @@ packages_of() {
         models) echo spin ;;
         interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial python3-serial-asyncio socat tshark ;;
         tool) echo pkg-config libcli11-dev libfmt-dev nlohmann-json3-dev libncurses-dev libtomlplusplus-dev libyaml-cpp-dev tmux python3 python3-pyte zsh ;;
-        gateway) echo pkg-config libmosquitto-dev mosquitto mosquitto-clients ;;
+        gateway) echo pkg-config libmosquitto-dev mosquitto mosquitto-clients openssl python3-jinja2 ;;
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         emulator) echo qemu-system-arm ;;
         clang) echo clang libclang-rt-dev ;;
@@ -41,7 +41,7 @@ packages_of() {
 # A tool counts however it came here; a library only counts as the package the build will look for.
 present() {
     case $1 in
-        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin | git | doxygen | chromium | npm | debootstrap | ccache)
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin | git | doxygen | chromium | openssl | npm | debootstrap | ccache)
             command -v "$1" >/dev/null ;;
         ninja-build) command -v ninja >/dev/null ;;
         graphviz) command -v dot >/dev/null ;;

@@ -1,0 +1,184 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
+soon, and that no old value is told as a new one.
+
+    python3 devices.py GATEWAY TOOL silent|pulled|replaced|many
+"""
+import json
+import os
+import subprocess
+import time
+
+from stand import (LIMIT, SITE, Broker, Client, Folder, Gateway, Simulator, Units, a_line, a_meter, flows, meter, runs, soon,
+                   states, text_of)
+
+SOON = 3  # s, in which each change is said
+
+
+class Changes:
+    """How long a topic took to say something, over several tries: on a machine that is busy the shortest counts."""
+
+    def __init__(self, check, client):
+        self.check, self.client, self.took = check, client, {}
+
+    def says(self, topic, word, since, what):
+        def said():
+            found = [each for each in self.client.of(f"{SITE}/{topic}") if each.arrived >= since]
+            return found and found[-1].payload.decode() == word
+        self.check(soon(said, LIMIT), f"{what}: {topic} says {word}", self.client.last(f"{SITE}/{topic}"))
+        found = [each for each in self.client.of(f"{SITE}/{topic}") if each.arrived >= since and each.payload.decode() == word]
+        if found:
+            self.took.setdefault((topic, word), []).append(found[0].arrived - since)
+
+    def judge(self, limit=SOON):
+        for (topic, word), took in self.took.items():
+            self.check(min(took) <= limit, f"{topic}: {word} within {limit} s", [round(each, 2) for each in took])
+
+
+def silent(check, program, _):
+    """One of three, twice; the others notice nothing, and nothing of it is told as new."""
+    units = {1: meter(), 2: meter(), 3: meter()}
+    devices = [a_meter(f"meter{unit}", unit, every=0.5, registers=["voltage", "power"]) for unit in units]
+    with Folder() as folder, Broker(folder) as broker, Units(units) as line, Client(broker.port, "rtuwire/#") as client:
+        with Gateway(program, folder, text_of(broker.port, [a_line(line.name, *devices)])) as gateway:
+            check(all(flows(client, f"line1/meter{unit}") for unit in units), "values come of all")
+            changes = Changes(check, client)
+            for turn in range(2):
+                line.silent = {2}
+                since = time.time()
+                changes.says("line1/meter2/availability", "offline", since, f"turn {turn}")
+                check(client.last(f"{SITE}/line1/availability") == "online", "the line is there")
+                went = time.time()
+                check(flows(client, "line1/meter1", went, 4), "the others go on")
+                told = [each for each in states(client, "line1/meter2", went) for value in each.values.values()
+                        if value.get("value") is not None and not value.get("stale") and not value.get("invalid")]
+                check(not told, "a silent device's values are not told as fresh", [each.message for each in told[:2]])
+                line.silent = set()
+                since = time.time()
+                changes.says("line1/meter2/availability", "online", since, f"turn {turn}")
+                check(flows(client, "line1/meter2", since), "its values come again")
+            for unit in (1, 3):
+                said = [each.payload for each in client.of(f"{SITE}/line1/meter{unit}/availability")]
+                check(set(said[said.index(b"online"):]) == {b"online"}, f"of meter{unit} nothing else was said", said)
+            changes.judge()
+            said = gateway.said()
+            check("meter2" in said and said.count("meter2") < 20, "each change is one line for people", said.count("meter2"))
+            # What a silent one costs the others: the rounds of their period, by the median.
+            line.silent = {2}
+            began = time.time()
+            check(flows(client, "line1/meter1", began + 2, 12), "they go on")
+            got = [each.time for each in states(client, "line1/meter1", began + 2)]
+            gaps = sorted(after - each for each, after in zip(got, got[1:]))
+            check(gaps[len(gaps) // 2] < 0.8, "at their period of 0.5 s", [round(each, 2) for each in gaps])
+
+
+def pulled(check, program, _):
+    """The adapter: out and in at the same name, thrice."""
+    with Folder() as folder, Broker(folder) as broker, Client(broker.port, "rtuwire/#") as client:
+        link = folder / "usb-adapter"
+        with Units({5: meter()}) as other:
+            lines = [a_line(link, a_meter(registers=["voltage"])), a_line(other.name, a_meter("other", 5), name="line2")]
+            with Gateway(program, folder, text_of(broker.port, lines)) as gateway:
+                changes = Changes(check, client)
+                check(flows(client, "line2/other"), "without an adapter the other line lives")
+                check(client.last(f"{SITE}/line1/availability") == "offline", "and this one is offline",
+                      client.last(f"{SITE}/line1/availability"))
+                for turn in range(3):
+                    since = time.time()
+                    with Units({3: meter()}, link) as line:
+                        changes.says("line1/availability", "online", since, f"in, turn {turn}")
+                        check(flows(client, since=since), "values come")
+                        check(soon(lambda: client.last(f"{SITE}/line1/meter/availability") == "online", LIMIT), "the device is online")
+                        check(line.requests, "from the new one")
+                    since = time.time()
+                    changes.says("line1/availability", "offline", since, f"out, turn {turn}")
+                    beats = len(client.of(f"{SITE}/line1/status"))
+                    check(soon(lambda: len(client.of(f"{SITE}/line1/status")) > beats + 1, LIMIT), "its loop still lives")
+                    check(json.loads(client.last(f"{SITE}/line1/status"))["up"] is False, "and says that the port is away",
+                          client.last(f"{SITE}/line1/status"))
+                    fresh = [each for each in states(client, "line1/meter") if each.time > since + 1]
+                    check(not fresh, "no value has a time at which there was no port", [each.message for each in fresh[:2]])
+                check(gateway.process.poll() is None and flows(client, "line2/other"), "the other line goes on")
+                said = [each.payload for each in client.of(f"{SITE}/line2/availability")]
+                check(set(said[said.index(b"online"):]) == {b"online"}, "it noticed nothing", said)
+                changes.judge()
+
+
+class Linked(Simulator):
+    """Simulated drives on a line whose name stays."""
+
+    def __init__(self, tool, link, *drives):
+        super().__init__(tool, *drives)
+        self.link = link
+
+    def __enter__(self):
+        device = super().__enter__()
+        self.link.unlink(missing_ok=True)
+        os.symlink(device, self.link)
+        return device
+
+
+def replaced(check, program, tool):
+    """A drive goes, and another type answers at its address: its words mean something else there."""
+    fan = {"name": "fan", "unit": 7, "drive": "atv320", "registers": ["RFR", "LCR", "ETA"], "feeds_supervision": True, "every": 0.5}
+    with Folder() as folder, Broker(folder) as broker, Client(broker.port, "rtuwire/#") as client:
+        link = folder / "usb-adapter"
+        with Gateway(program, folder, text_of(broker.port, [a_line(link, fan)])) as gateway:
+            with Linked(tool, link, "atv320:7"):
+                check(flows(client, "line1/fan"), "the drive's values come")
+            gone = time.time()
+            changes = Changes(check, client)
+            changes.says("line1/availability", "offline", gone, "gone")
+            with Linked(tool, link, "atv12:7"):
+                back = time.time()
+                changes.says("line1/availability", "online", back, "another type at its address")
+                check(soon(lambda: "atv12" in gateway.said().lower(), LIMIT), "what answers there is named", gateway.said())
+                told = [each for each in states(client, "line1/fan", back + 1)
+                        for value in each.values.values() if value.get("value") is not None]
+                check(not told, "its words are not told as those of the type before", [each.message for each in told[:2]])
+                check(client.last(f"{SITE}/line1/fan/availability") == "offline", "the device is offline",
+                      client.last(f"{SITE}/line1/fan/availability"))
+            gone = time.time()
+            changes.says("line1/availability", "offline", gone, "gone again")
+            with Linked(tool, link, "atv320:7"):
+                back = time.time()
+                changes.says("line1/fan/availability", "online", back, "the right type")
+                check(flows(client, "line1/fan", back), "its values come again")
+
+
+def many(check, program, tool, lines="10", devices="30", seconds="60"):
+    """300 devices on 10 lines, each every second: all come, at their period."""
+    lines, devices = int(lines), int(devices)
+    with Folder() as folder, Broker(folder, "max_queued_messages 0") as broker, Client(broker.port, "rtuwire/#") as client:
+        stands, said = [], []
+        try:
+            for number in range(lines):
+                line = Units({unit: meter() for unit in range(1, devices + 1)})
+                line.__enter__()
+                stands.append(line)
+                said.append(a_line(line.name, *[a_meter(f"meter{unit}", unit, every=1.0, registers=["voltage", "power", "energy"])
+                                                for unit in range(1, devices + 1)], name=f"line{number}", baud=115200))
+            with Gateway(program, folder, text_of(broker.port, said)) as gateway:
+                wanted = [f"{SITE}/line{number}/meter{unit}/state" for number in range(lines) for unit in range(1, devices + 1)]
+                check(soon(lambda: set(wanted) <= {each.topic for each in list(client.messages)}, LIMIT), "all devices come",
+                      len({each.topic for each in list(client.messages)}))
+                began = time.time()
+                time.sleep(float(seconds))
+                got = [each for each in list(client.messages) if each.arrived > began and each.topic.endswith("/state")]
+                print(len(got), "messages in", seconds, "s;", subprocess.run(
+                    ["ps", "-o", "rss=,cputime=", "-p", str(gateway.process.pid)], capture_output=True, text=True,
+                    check=False).stdout.strip())
+                check(len(got) > 0.9 * lines * devices * float(seconds), "each at its period", len(got))
+                check(gateway.end() == 0, "it ends")
+        finally:
+            for line in stands:
+                line.__exit__()
+
+
+def main(check, program, tool, part, *more):
+    {"silent": silent, "pulled": pulled, "replaced": replaced, "many": many}[part](check, program, tool, *more)
+
+
+if __name__ == "__main__":
+    runs(main)

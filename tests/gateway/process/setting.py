@@ -1,0 +1,254 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Settings from MQTT: what is written, what never is, and what each command is answered.
+
+    python3 setting.py GATEWAY TOOL done|refused|moments|hung|cuts|drive
+
+Behind `cuts`: all, for every moment with both qualities of service.
+"""
+import json
+import time
+
+from stand import (LIMIT, SITE, Broker, Client, Folder, Gateway, Proxy, Simulator, Units, a_line, a_meter, flows, meter, moment, runs,
+                   soon, states, text_of)
+
+SET, ANSWER = f"{SITE}/line1/meter/set", f"{SITE}/line1/meter/answer"
+
+
+class Asking:
+    """Commands of one device, each with a name of its own."""
+
+    def __init__(self, check, client, device="line1/meter"):
+        self.check, self.client, self.count, self.device = check, client, 0, device
+
+    def send(self, name, value, expires=10.0, retain=False, qos=1, **more):
+        self.count += 1
+        said = {"value": value, "id": f"c{self.count}", **more}
+        if expires is not None:
+            said["expires"] = moment(time.time() + expires) if isinstance(expires, (int, float)) else expires
+        self.client.publish(f"{SITE}/{self.device}/set/{name}", json.dumps(said), retain, qos)
+        return said["id"]
+
+    def answers(self, name, number):
+        found = []
+        for each in self.client.of(f"{SITE}/{self.device}/answer/{name}"):
+            said = json.loads(each.payload)
+            if said.get("id") == number:
+                found.append((said, each))
+        return found
+
+    def expect(self, name, value, results, what, says="", **how):
+        number = self.send(name, value, **how)
+        self.check(soon(lambda: self.answers(name, number), LIMIT), f"{what}: answered")
+        found = self.answers(name, number)
+        if found:
+            said, message = found[0]
+            self.check(said["result"] in results and says in said.get("why", ""), f"{what}: {results}", said)
+            self.check("time" in said and not message.is_retained, f"{what}: with its time, not retained", said)
+            self.check(said["result"] == "done" or said.get("why"), f"{what}: with the reason", said)
+        return found[0][0] if found else None
+
+
+def the_file(broker, line, **more):
+    return text_of(broker.port if hasattr(broker, "port") else broker,
+                   [a_line(line.name, a_meter(settings=["set_point", "kept", "mode"], registers=["voltage", "set_point", "mode"], **more))])
+
+
+def done(check, program, _):
+    with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        with Gateway(program, folder, the_file(broker, line), "--write") as gateway:
+            check(flows(client), "values come")
+            ask = Asking(check, client)
+            ask.expect("set_point", 22.5, ("done",), "a value")
+            check(line.units[3][10] == 225 and len(line.writes) == 1, "it is written once, by its scale", line.writes)
+            check(soon(lambda: states(client)[-1].values.get("set_point", {}).get("value") == 22.5, LIMIT), "and read back")
+            ask.expect("set_point", 22.5, ("done",), "an equal value")
+            check(len(line.writes) == 1, "it is not written again", line.writes)
+            ask.expect("mode", "off", ("done",), "a value by its name")
+            check(line.units[3][12] == 0 and len(line.writes) == 2, "is written", line.writes)
+            ask.expect("kept", 500, ("done",), "a stored register")
+            check(line.units[3][11] == 500, "is written", line.writes)
+            before = len(line.writes)
+            ask.expect("kept", 501, ("refused",), "a stored register at once again")
+            check(len(line.writes) == before and line.units[3][11] == 500, "is not written", line.writes[before:])
+            line.refuses_writes = True
+            ask.expect("set_point", 40, ("failed", "refused"), "the unit refuses")
+            tried = len(line.writes)
+            line.refuses_writes = False
+            check(flows(client, count=6) and len(line.writes) == tried, "nothing is tried a second time", line.writes[before:])
+            # The unit says nothing.
+            line.silent = {3}
+            number = ask.send("set_point", 41, expires=3.0)
+            check(soon(lambda: ask.answers("set_point", number), LIMIT), "a silent unit: answered")
+            check(ask.answers("set_point", number)[0][0]["result"] in ("failed", "expired", "refused"), "it failed",
+                  ask.answers("set_point", number))
+            tried = len(line.writes)
+            line.silent = set()
+            check(flows(client, count=8), "it is back")
+            check(len(line.writes) == tried and line.units[3][10] == 225, "the command is not carried out later", line.writes[before:])
+            check("set_point" in gateway.said(), "a write is told to people")
+            check(gateway.end() == 0, "it ends")
+
+
+def refused(check, program, _):
+    """By what it is: nothing of these is ever written."""
+    with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        with Gateway(program, folder, the_file(broker, line), "--write"):
+            check(flows(client), "values come")
+            ask = Asking(check, client)
+            for value in (4.9, 60.1, -1, 1e9, 1e300, "twenty", "22.5; stop", None, True, [22.5], {"value": 22.5}):
+                ask.expect("set_point", value, ("refused",), f"{value!r}")
+            ask.expect("mode", "cool", ("refused",), "none of the choices")
+            ask.expect("mode", 7, ("refused",), "a number of none of them")
+            ask.expect("set_point", 30, ("refused",), "without an expiry", expires=None)
+            ask.expect("set_point", 30, ("refused",), "an expiry that is none", expires="tomorrow")
+            ask.expect("set_point", 30, ("refused",), "an expiry far away", expires=120.0)
+            ask.expect("set_point", 30, ("refused",), "one of next year", expires="2099-01-01T00:00:00Z")
+            ask.expect("set_point", 30, ("expired", "refused"), "one that has gone", expires=-1.0)
+            ask.expect("set_point", 30, ("refused",), "a retained one", retain=True)
+            for payload in ("", "22.5", "{", "[]", "null", '{"value": 22.5', b"\xff\xfe{}", '{"expires": 1}', "x" * 100_000,
+                            '{"value": NaN, "expires": "2099-01-01T00:00:00Z"}', "[" * 5000):
+                client.publish(f"{SET}/set_point", payload)
+            # What the file does not name, or that the device has for others.
+            for name in ("voltage", "gate", "energy", "none", "set_point/more", ""):
+                client.publish(f"{SET}/{name}", json.dumps({"value": 1, "id": "x", "expires": moment(time.time() + 10)}))
+            client.publish(f"{SITE}/line1/other/set/set_point", json.dumps({"value": 30, "id": "x", "expires": moment(time.time() + 10)}))
+            check(flows(client, count=4), "values go on")
+            check(not line.writes, "nothing was written", line.writes)
+            check(line.units[3] == meter(), "nothing is changed")
+            ask.expect("set_point", 25, ("done",), "a right one behind all these")
+            client.publish(f"{SET}/set_point", "", retain=True)
+        before = len(line.writes)
+        with Gateway(program, folder, the_file(broker, line)):
+            check(flows(client), "values come")
+            ask = Asking(check, client)
+            number = ask.send("set_point", 33)
+            check(flows(client, count=6), "values go on")
+            answered = ask.answers("set_point", number)
+            check(len(line.writes) == before, "without --write nothing is written", line.writes[before:])
+            check(not answered or answered[0][0]["result"] == "refused", "and it is not called done", answered)
+
+
+def moments(check, program, _):
+    """By when it was said: before the gateway began, while it was away, while the broker hung."""
+    with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line:
+        with Client(broker.port, "rtuwire/#") as client:
+            ask = Asking(check, client)
+            ask.send("set_point", 31, expires=50.0)
+            ask.send("set_point", 32, expires=50.0, retain=True)
+            ask.send("mode", "off", expires=50.0, retain=True)
+            with Gateway(program, folder, the_file(broker, line), "--write") as gateway:
+                check(flows(client, count=6), "values come")
+                check(not line.writes, "what was said before it began is not done", line.writes)
+                gateway.kill()
+            ask.send("set_point", 33, expires=50.0)
+            with Gateway(program, folder, the_file(broker, line), "--write"):
+                check(flows(client, count=6), "values come")
+                check(not line.writes, "nor what was said while it was away", line.writes)
+            client.publish(f"{SET}/set_point", "", retain=True)
+            client.publish(f"{SET}/mode", "", retain=True)
+        # Between the gateway and the broker nothing passes; the broker keeps what is said for who comes again.
+        with Proxy(broker.port) as proxy, Client(broker.port, "rtuwire/#") as client:
+            with Gateway(program, folder, the_file(proxy, line), "--write"):
+                check(flows(client), "values come")
+                ask = Asking(check, client)
+                ask.expect("set_point", 23, ("done",), "a command")
+                before, connections = len(line.writes), len(proxy.connections)
+                proxy.silence()
+                ask.send("set_point", 34, expires=50.0)
+                check(soon(lambda: len(proxy.connections) > connections, LIMIT), "it connects again")
+                since = time.time()
+                check(flows(client, since=since, count=6), "values come again")
+                check(len(line.writes) == before, "what was said in between is not done", line.writes[before:])
+                ask.expect("set_point", 35, ("done",), "one behind it")
+                check(len(line.writes) == before + 1, "is, once", line.writes[before:])
+
+
+def hung(check, program, _):
+    """The broker hangs, and goes on: what was given to it in between is old."""
+    with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line:
+        with Client(broker.port, "rtuwire/#") as client, Gateway(program, folder, the_file(broker, line), "--write"):
+            check(flows(client), "values come")
+            ask, before = Asking(check, client), len(line.writes)
+            broker.freeze()
+            ask.count += 1
+            said = {"value": 36, "id": "frozen", "expires": moment(time.time() + 3)}
+            ask.client.publish(f"{SET}/set_point", json.dumps(said), qos=0)  # waits in the broker's socket
+            time.sleep(4)
+            broker.thaw()
+            check(flows(client, since=time.time() + 1, count=4), "values go on")
+            check(len(line.writes) == before, "what expired on its way is not done", line.writes[before:])
+
+
+def cuts(check, program, _, which=""):
+    """The connection ends with a command on its way, at each moment: it is carried out once or not at all."""
+    with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line, Proxy(broker.port) as proxy, \
+            Client(broker.port, "rtuwire/#") as client:
+        with Gateway(program, folder, the_file(proxy, line), "--write"):
+            check(flows(client), "values come")
+            value = 100
+            for qos in (0, 1):
+                for behind in ("before", "command", "behind"):
+                    if not which and (qos, behind) not in ((0, "before"), (1, "command")):
+                        continue
+                    value += 7
+                    connection, before = proxy.connections[-1], len(line.writes)
+                    seen = [False]
+
+                    def behave(each, connection=connection, behind=behind, seen=seen):
+                        if each is not connection or not any(SET.encode() in body for kind, _, body in each.told if kind == 3):
+                            return None
+                        if behind == "command" or seen[0]:
+                            return "cut"
+                        seen[0] = True
+                        return None
+                    connection.told.clear()
+                    if behind == "before":
+                        connection.cut()
+                    else:
+                        proxy.behave = behave
+                    Asking(check, client).send("set_point", value / 10, expires=30.0, qos=qos)
+                    check(soon(lambda: proxy.connections[-1] is not connection, LIMIT), f"qos {qos}, {behind}: it connects again")
+                    proxy.behave = lambda _: None
+                    since = time.time()
+                    check(flows(client, since=since, count=5), "values come again")
+                    written = line.writes[before:]
+                    check(len(written) <= (0 if behind == "before" else 1), f"qos {qos}, {behind}: never twice, nor later", written)
+
+
+def drive(check, program, tool):
+    """Of a drive: what turns a motor otherwise is no setting; of the rest what leaves it without a guard is not written."""
+    fan = {"name": "fan", "unit": 7, "drive": "atv320", "registers": ["RFR", "TTO", "SLL"], "feeds_supervision": True, "every": 0.5}
+    with Folder() as folder, Broker(folder) as broker, Simulator(tool, "atv320:7") as device, Client(broker.port, "rtuwire/#") as client:
+        with Gateway(program, folder, "", "--write", start=False) as gateway:
+            for register in ("ACC", "DEC", "HSP", "LSP", "CMD", "LFR", "CHCF", "FR1", "NCA1"):
+                ended = gateway.run_check(text_of(broker.port, [a_line(device, {**fan, "settings": [register]})]))
+                check(ended.returncode == 2 and f"{register} cannot be a setting" in ended.stderr, f"{register} is no setting", ended)
+        text = text_of(broker.port, [a_line(device, {**fan, "settings": ["TTO", "SLL"]})])
+        with Gateway(program, folder, text, "--write"):
+            check(flows(client, "line1/fan"), "values come")
+            ask = Asking(check, client, "line1/fan")
+            ask.expect("TTO", 5.0, ("done",), "a setting of a drive at rest")
+            check(soon(lambda: states(client, "line1/fan")[-1].values["TTO"]["value"] == 5.0, LIMIT), "is read back",
+                  states(client, "line1/fan")[-1].values)
+            ask.expect("TTO", 31.0, ("refused",), "beyond its row's limits")
+            for value in ("nO", "LFF", "rLS", 0, 4, 5):
+                ask.expect("SLL", value, ("refused",), f"{value}: without its link the motor would run on")
+            check(flows(client, "line1/fan", count=2), "values go on")
+            check("YES" in str(states(client, "line1/fan")[-1].values["SLL"]["value"]) or
+                  states(client, "line1/fan")[-1].values["SLL"]["value"] == 1, "SLL is as it was", states(client, "line1/fan")[-1].values)
+            for register in ("CMD", "LFR", "CHCF", "ACC", "NMD", "8501", "holding:8501"):
+                client.publish(f"{SITE}/line1/fan/set/{register}",
+                               json.dumps({"value": 1, "id": register, "expires": moment(time.time() + 10)}))
+            check(flows(client, "line1/fan", count=4), "values go on")
+            done_ = [each for each in client.messages if "/answer/" in each.topic and b'"done"' in each.payload
+                     and not each.topic.endswith("/TTO")]
+            check(not done_, "nothing else is done", done_)
+
+
+def main(check, program, tool, part, *more):
+    {"done": done, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
+
+
+if __name__ == "__main__":
+    runs(main)
