@@ -41,7 +41,7 @@ version=$((number / 10000)).$((number / 100 % 100)).$((number % 100))
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
 umask 022
-sh tests/packages.sh build tool packaging
+sh tests/packages.sh build tool gateway packaging
 
 # Nothing half-made stands under the name of the release: it is put there whole, at the end.
 mkdir -p "$(dirname "$output")"

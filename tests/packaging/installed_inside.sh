@@ -41,6 +41,21 @@ done
 [ -z "$(ours)" ] || fail "purging leaves $(ours)"
 ! dpkg-query -W rtuwire >/dev/null 2>&1 || fail "dpkg still knows rtuwire"
 
+echo "apt install ./rtuwire-gateway*.deb"
+apt install ./rtuwire_*.deb ./rtuwire-gateway_*.deb
+rtuwire-gateway --check | grep -q meter1 || fail "the file that comes with the gateway is wrong"
+[ -f /lib/systemd/system/rtuwire-gateway.service ] || fail "no unit"
+getent passwd rtuwire >/dev/null || fail "no user for the service"
+# What was typed into its file outlives an upgrade, and a removal; not a purge.
+sed -i 's/^site = .*/site = "typed"/' /etc/rtuwire/gateway.toml
+apt install --reinstall ./rtuwire-gateway_*.deb
+grep -q '"typed"' /etc/rtuwire/gateway.toml || fail "an upgrade takes the file"
+apt remove rtuwire-gateway
+grep -q '"typed"' /etc/rtuwire/gateway.toml || fail "a removal takes the file"
+echo "apt purge rtuwire-gateway rtuwire"
+apt purge rtuwire-gateway rtuwire
+[ -z "$(ours)" ] || fail "purging leaves $(ours)"
+
 # The tests of the packages: a paragraph a test.
 run_test() {
     echo "test $1"
@@ -56,7 +71,7 @@ run_test() {
     esac
     tail -1 out
 }
-apt install ./rtuwire_*.deb ./librtuwire-dev_*.deb
+apt install ./rtuwire_*.deb ./rtuwire-gateway_*.deb ./librtuwire-dev_*.deb
 tests=$(sed -n 's/^Tests: *//p' tests/control)
 [ -n "$tests" ] || fail "debian/tests/control lists no test"
 for test in $tests; do
@@ -65,7 +80,7 @@ for test in $tests; do
     run_test "$test" "$needs" "$(echo "$paragraph" | sed -n 's/^Restrictions: *//p')"
 done
 
-echo "apt purge librtuwire-dev rtuwire"
-apt purge librtuwire-dev rtuwire
+echo "apt purge librtuwire-dev rtuwire-gateway rtuwire"
+apt purge librtuwire-dev rtuwire-gateway rtuwire
 [ -z "$(ours)" ] || fail "purging leaves $(ours)"
 echo "nothing is left"

@@ -18,7 +18,7 @@ heading() {
 }
 
 heading "Packages"
-sh tests/packages.sh build tests tool clang portability packaging
+sh tests/packages.sh build tests tool gateway clang portability packaging
 mkdir -p "$place"
 
 heading "The version stands in one place"
