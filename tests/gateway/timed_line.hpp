@@ -35,7 +35,7 @@ public:
         unsigned written{0};
     };
 
-    explicit timed_line(line_plan const& plan) : units(plan.devices.size()), plan_{plan}, parts_{parts_of(plan)} {}
+    explicit timed_line(line_plan const& plan) : units(plan.devices.size()), parts_{parts_of(plan)} {}
 
     clock::time_point now() const override { return now_; }
     std::uint64_t unix_time() const override
@@ -129,7 +129,6 @@ private:
         return asked.is_there;
     }
 
-    line_plan const& plan_;
     std::vector<device_part> parts_;
     clock::time_point now_{};
     bool is_open_{false};

@@ -110,7 +110,7 @@ void line_rounds::lose_port(std::string const& why)
     }
     was_port_told_ = true;
     for (std::size_t i = 0; i < devices_.size(); ++i) {
-        devices_[i].patience = asked_less{misses_allowed};
+        devices_[i].patience = asked_less{misses_allowed, longest_pause};
         devices_[i].misses = 0;
         devices_[i].wrong_until = {};
         if (devices_[i].content.why != why) {

@@ -42,7 +42,7 @@ private:
         clock::time_point due;
     };
     struct device {
-        asked_less patience{misses_allowed};
+        asked_less patience{misses_allowed, longest_pause};
         bool is_identified{false};
         bool was_told{false}; ///< that it is lost, or another's
         unsigned misses{0};
@@ -51,6 +51,7 @@ private:
     };
 
     static constexpr unsigned misses_allowed = 2;
+    static constexpr std::chrono::seconds longest_pause{2}; ///< so that who is back is so within 3 s
 
     void act();
     void open();
@@ -79,7 +80,7 @@ private:
     line_board& board_;
     std::vector<part> parts_{};
     std::vector<device> devices_{};
-    asked_less port_patience_{1};
+    asked_less port_patience_{1, longest_pause};
     clock::time_point settled_from_{};
     clock::time_point probes_from_{}; ///< a silent one is asked then, at the earliest
     std::map<std::pair<std::size_t, std::size_t>, clock::time_point> written_{}; ///< of stored registers

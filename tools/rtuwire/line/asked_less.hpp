@@ -12,8 +12,12 @@ class asked_less {
 public:
     using clock = std::chrono::steady_clock;
 
-    /// So many rounds without a response in a row, and it is silent.
-    explicit asked_less(unsigned misses) : misses_allowed_{misses} {}
+    static constexpr std::chrono::seconds longest_wait{8};
+
+    /// So many rounds without a response in a row, and it is silent; then asked after that long at most.
+    explicit asked_less(unsigned misses, clock::duration longest = longest_wait)
+        : misses_allowed_{misses}, longest_{longest}
+    {}
 
     bool is_due(clock::time_point now) const { return now >= next_; }
     bool is_silent() const { return misses_ >= misses_allowed_; }
@@ -24,14 +28,13 @@ public:
         misses_ = has_responded ? 0 : misses_ + 1;
         if (is_silent()) {
             auto const wait = std::chrono::milliseconds{250} * (1 << std::min(misses_ - misses_allowed_, 5U));
-            next_ = now + std::min<clock::duration>(wait, longest_wait);
+            next_ = now + std::min<clock::duration>(wait, longest_);
         }
     }
 
-    static constexpr std::chrono::seconds longest_wait{8};
-
 private:
     unsigned misses_allowed_; ///< 1 at least
+    clock::duration longest_;
     unsigned misses_{0};
     clock::time_point next_{};
 };
