@@ -116,7 +116,11 @@ TEST_CASE("serve: what is not as the specification has it is answered, and leave
     CHECK(verdict(open, 7, {6, 0, 3, 0}).refused == errc::illegal_data_value);
     CHECK(verdict(open, 7, {5, 0, 3, 1, 0}).refused == errc::illegal_data_value);
     CHECK(verdict(open, 7, {16, 0, 0, 0, 2, 2, 0, 9}).refused == errc::illegal_data_value);
-    CHECK(verdict({}, 7, {16, 0, 0, 0, 2, 2, 0, 9}).refused == errc::illegal_function); // it is a write first
+    CHECK(verdict({}, 7, {16, 0, 0, 0, 2, 2, 0, 9}).refused == errc::illegal_function);        // it is a write first
+    CHECK(verdict(open, 7, {15, 255, 255, 0, 2, 1, 2}).refused == errc::illegal_data_address); // beyond 65535
+    CHECK(verdict(open, 7, {16, 255, 255, 0, 2, 4, 0, 9, 0, 9}).refused == errc::illegal_data_address);
+    CHECK(verdict(open, 7, {15, 255, 254, 0, 2, 1, 2}).refused == errc::none);
+    CHECK(verdict(open, 7, {16, 255, 255, 0, 1, 2, 0, 9}).refused == errc::none);
 }
 
 TEST_CASE("serve: units and functions that nobody named are not served")

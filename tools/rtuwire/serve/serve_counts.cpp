@@ -56,7 +56,7 @@ std::string serve_counts::text() const
     metric_text{all, "queue", "gauge", "Requests that wait for the line."}.put(queue);
     metric_text{all, "port_up", "gauge", "1 while the port of the line is open."}.put(is_port_up ? 1U : 0U);
     metric_text{all, "port_losses_total", "counter", "How often the port of the line went away."}.put(port_losses);
-    metric_text requests{all, "requests_total", "counter", "Requests that came, by unit and function."};
+    metric_text requests{all, "requests_total", "counter", "Requests that units were asked, by unit and function."};
     for (auto const& [of, count] : requests_) {
         requests.put(count, label("unit", of.first) + ',' + label("function", of.second));
     }

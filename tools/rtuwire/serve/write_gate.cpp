@@ -21,6 +21,14 @@ gate_verdict malformed(std::string const& number, rtuwire::byte_view pdu)
                 std::string{rtuwire::name(flaw_of(pdu, rtuwire::frame_role::request))}};
 }
 
+bool writes_beyond_last(rtuwire::byte_view pdu)
+{
+    using enum rtuwire::function_code;
+    constexpr rtuwire::function_set several{write_multiple_coils, write_multiple_registers};
+    return several.contains(static_cast<rtuwire::function_code>(pdu[0])) and
+           word_at(pdu, 1) + word_at(pdu, 3) > 0x1'0000;
+}
+
 } // namespace
 
 gate_verdict judge_request(gate_rules const& rules, std::uint8_t unit, rtuwire::byte_view pdu)
@@ -49,6 +57,10 @@ gate_verdict judge_request(gate_rules const& rules, std::uint8_t unit, rtuwire::
     }
     if (is_flawed) {
         return malformed(number, pdu);
+    }
+    if (writes_beyond_last(pdu)) {
+        return {errc::illegal_data_address, "malformed",
+                number + ": " + words_of_function(pdu) + ", goes beyond the last address, 65535"};
     }
     if (unit == 0 and only_reads(pdu)) {
         return {errc::gateway_path_unavailable, "broadcast", "unit 0 is all units, of which none answers a read"};
