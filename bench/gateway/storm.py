@@ -24,14 +24,14 @@ def doubling(tries, _):
 
 
 def drawn(tries, random_source):
-    return random_source.uniform(0.5, 1.0) * min(30.0, 1.0 * 2 ** tries)
+    return random_source.uniform(0.5, 1.5) * min(30.0, 1.0 * 2 ** tries)
 
 
 def spread(_, random_source):
     return random_source.uniform(0.0, 30.0)
 
 
-RULES = {"every second": fixed, "doubled up to 30 s": doubling, "doubled up to 30 s, by 50 to 100 %": drawn,
+RULES = {"every second": fixed, "doubled up to 30 s": doubling, "doubled up to 30 s, by 50 to 150 %": drawn,
          "drawn from 30 s each time": spread}
 
 

@@ -19,8 +19,10 @@ def main(check, program, tool, script):
                        "TMPDIR": str(folder), "LC_ALL": "C.UTF-8"}
 
         def start(*words):
+            # Who runs this in the background has it ignored, and a shell cannot trap what was ignored when it began.
             return subprocess.Popen(["sh", script, *words], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                    stderr=subprocess.PIPE, text=True, start_new_session=True)
+                                    stderr=subprocess.PIPE, text=True, start_new_session=True,
+                                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
         with start("--for", "10") as process:
             output, errors = process.communicate(timeout=LIMIT)
         check(process.returncode == 0, "it ends by itself, with status 0", (process.returncode, errors))
