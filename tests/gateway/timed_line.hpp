@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../../tools/gateway/asked_line.hpp"
@@ -56,6 +57,7 @@ public:
         pass(1ms);
         refuse_lost();
         is_open_ = true;
+        has_listened_ = false;
     }
     void close() override { is_open_ = false; }
 
@@ -109,7 +111,8 @@ public:
     clock::duration response{10ms};
     clock::duration timeout{200ms};
     clock::duration before_write{0ms};
-    bool is_gone{false}; ///< the port
+    std::chrono::milliseconds listening{0}; ///< before the first request of a line that was opened
+    bool is_gone{false};                    ///< the port
     bool loses_port_in_write{false};
     unsigned opens{0};
 
@@ -125,13 +128,14 @@ private:
         refuse_lost();
         ++counts_.asked;
         counts_.silent += asked.is_there ? 0U : 1U;
-        pass(asked.is_there ? response : timeout);
+        pass((asked.is_there ? response : timeout) + (std::exchange(has_listened_, true) ? 0ms : listening));
         return asked.is_there;
     }
 
     std::vector<device_part> parts_;
     clock::time_point now_{};
     bool is_open_{false};
+    bool has_listened_{true};
     exchange_counts counts_{};
 };
 

@@ -93,6 +93,7 @@ void line_rounds::open()
     state_.why.clear();
     ++state_.opened;
     was_port_told_ = false;
+    was_settled_ = false;
     tell(event_kind::port_opened, {}, "its port is open: " + plan_.choices.port);
     for (part& each : parts_) {
         each.due = now;
@@ -167,7 +168,8 @@ void line_rounds::ask(part& one)
 void line_rounds::schedule(part& one, bool is_live)
 {
     clock::time_point const now = line_.now();
-    settled_from_ = is_settled() ? settled_from_ : now;
+    settled_from_ = was_settled_ ? settled_from_ : now; // listening before the first request is none, either
+    was_settled_ = is_settled();
     auto const missed_since = [&](clock::time_point since) {
         return now < since + one.period ? 0 : (now - since) / one.period;
     };
@@ -223,7 +225,7 @@ void line_rounds::note_silence(std::size_t which, std::string const& why, clock:
     if (not std::exchange(one.was_told, true)) {
         tell(event_kind::device_silent, plan_.devices[which].name, why);
     }
-    probes_from_ = has_live_ones() ? now + 9 * cost : now;
+    probes_from_ = has_live_ones() ? now + std::min<clock::duration>(9 * cost, longest_pause) : now;
 }
 
 /// Nothing of it is known any more.

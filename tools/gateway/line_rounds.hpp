@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The rounds of one line: what is due is read, oldest first; a setting goes before. A device that is silent is asked with
-// growing pauses, and all silent ones together take a tenth of the line's time while others answer. A device is identified
+// growing pauses, and behind what one of them costs others have nine times as long, 2 s at most. A device is identified
 // before its values count, and again once it was lost.
 #pragma once
 
@@ -82,6 +82,7 @@ private:
     std::vector<device> devices_{};
     asked_less port_patience_{1, longest_pause};
     clock::time_point settled_from_{};
+    bool was_settled_{false};         ///< behind the round before
     clock::time_point probes_from_{}; ///< a silent one is asked then, at the earliest
     std::map<std::pair<std::size_t, std::size_t>, clock::time_point> written_{}; ///< of stored registers
     bool was_port_told_{false};

@@ -91,7 +91,7 @@ def pulled(check, program, _):
                         check(flows(client, since=since), "values come")
                         check(soon(lambda: client.last(f"{SITE}/line1/meter/availability") == "online", LIMIT), "the device is online")
                         check(line.requests, "from the new one")
-                    since = time.time()
+                        since = time.time()
                     changes.says("line1/availability", "offline", since, f"out, turn {turn}")
                     beats = len(client.of(f"{SITE}/line1/status"))
                     check(soon(lambda: len(client.of(f"{SITE}/line1/status")) > beats + 1, LIMIT), "its loop still lives")
