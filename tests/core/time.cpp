@@ -74,7 +74,8 @@ constexpr bool divides_near(std::uint32_t number)
     bool is_right = true;
     for (std::uint32_t const each : {number - 2, number - 1, number, number + 1, number + 2}) {
         is_right = is_right and third_by_shifts(each) == each / 3;
-        for (std::uint32_t const by : {1U, 2U, 3U, 7U, 10U, 99U, 100U, 0x7FFF'FFFFU}) {
+        constexpr std::uint32_t divisors[]{1, 2, 3, 7, 10, 99, 100, 0x7FFF'FFFF};
+        for (std::uint32_t const by : divisors) {
             is_right = is_right and quotient_by_bits(each, by) == each / by;
         }
     }
