@@ -33,7 +33,7 @@ def complaints(text, known):
             failing = [clause for cell in (musts, shoulds) for clause in cell.split() if cell.split() != NONE]
             heading, told = causes_of(text, kind, name)
             who = f"{name}, {kind}"
-            if not heading:
+            if not heading and (failing or kind == "server"):
                 yield f"{who}: no heading"
             for clause in sorted(set(failing) - set(told)):
                 yield f"{who}: {clause} fails, and nothing says why"
