@@ -470,7 +470,7 @@ def port_goes(check, program):
             client = Asker(served.number)
             check(is_right(1, FIRST, 1, client.read(1, FIRST)), "the port is there")
             check(served.metrics().total("rtuwire_serve_port_up") == 1, "and told to be up")
-        os.remove(link)
+            os.remove(link)  # before its number is that of another test
         # Its two ends are closed.
         check(soon(lambda: client.ask(1, read_of(FIRST)) == bytes([0x83, SILENT]), 20), "behind a port that is away: 0B")
         check(soon(lambda: served.metrics().total("rtuwire_serve_port_up") == 0, 20), "it is told to be down")

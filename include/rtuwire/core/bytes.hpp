@@ -30,7 +30,7 @@ namespace detail {
 /// object, a byte only 31. For members that are used often and stand behind those.
 template <typename T> class in_word {
 public:
-    constexpr in_word(T value) noexcept : word_{static_cast<std::uint32_t>(value)} {}
+    constexpr in_word(T held) noexcept : word_{static_cast<std::uint32_t>(held)} {}
     [[nodiscard]] constexpr operator T() const noexcept { return static_cast<T>(word_); }
 
 private:

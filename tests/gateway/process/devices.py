@@ -118,6 +118,10 @@ class Linked(Simulator):
         os.symlink(device, self.link)
         return device
 
+    def __exit__(self, *how):
+        self.link.unlink(missing_ok=True)
+        return super().__exit__(*how)
+
 
 def replaced(check, program, tool):
     """A drive goes, and another type answers at its address: its words mean something else there."""

@@ -134,9 +134,9 @@ class Units(Line):
         return bytes([unit, function | 0x80, 1])
 
     def __exit__(self, *how):
-        super().__exit__(*how)
-        if self.link:
+        if self.link:  # first: the number of a pseudo-terminal that is gone is soon that of another test
             pathlib.Path(self.link).unlink(missing_ok=True)
+        super().__exit__(*how)
 
 
 METER = """[[register]]
