@@ -315,8 +315,69 @@ def by_words(check, program):
         check(tells(served, "127.0.0.3"), "and told, with the address", served.events())
 
 
+class Exchanged(PlainUnits):
+    """A unit that is a meter until `is_drive`; then a drive, which answers all that a meter does."""
+
+    is_drive = False
+
+    def answer(self, unit, pdu):
+        if self.is_drive and pdu[:2] == b"\x2b\x0e":
+            return bytes.fromhex("2b0e010100000300") + b"\x12Schneider Electric" + b"\1\x0cATV320U07M2B" + b"\2\0040201"
+        return super().answer(unit, pdu)
+
+
+def command(word):
+    return bytes([6]) + struct.pack(">HH", 8501, word)
+
+
+def exchanged(check, program):
+    """A drive in a meter's place, without a silence that anybody saw, gets no command word."""
+    free = bytes([6]) + struct.pack(">HH", FIRST, 5)
+    for way in ("pause", "asked", "lost"):
+        with Exchanged(1) as line, Served(program, line.name, "--units", "1", "--write", line=("--timeout", 0.5, "--retries", 1)) as served, \
+                Asker(served.number) as client:
+            check(client.ask(1, free) == free, f"{way}: the meter is written to")
+            line.is_drive = True
+            if way == "pause":
+                time.sleep(1.1)
+            elif way == "asked":
+                check(b"ATV320" in client.ask(1, bytes.fromhex("2b0e0100")), "a client asks who it is")
+            else:
+                line.silent = {1}
+                line.before_answer = None
+                lost = len(line.requests)
+                client.send(1, read_of(FIRST))
+                soon(lambda: len(line.requests) > lost)
+                line.silent = set()
+                check(client.answer()[2][0] == 3, "its repetition is answered")
+            check(client.ask(1, command(6)) == b"\x86\1", f"{way}: 01 to a command word", way)
+            check(not [each for each in line.asked(6) if each[2:4] == b"\x21\x35"], f"{way}: and no frame", line.asked(6))
+
+
+def carried(check, program):
+    """A loopback that carries a frame for another unit."""
+    with PlainUnits(1) as line, Served(program, line.name, "--units", "1", line=PATIENT) as served, Asker(served.number) as client:
+        inner = with_crc(bytes([7]) + command(15))
+        for pdu in (bytes([8, 0, 0]) + inner, bytes([8, 0, 0, 0]) + inner * 4 + b"\0"):
+            check(client.ask(1, pdu) == b"\x88\1", "01 to a loopback with a frame in it", pdu.hex(" "))
+        check(not line.asked(8), "and nothing on the line", line.asked(8))
+        check(client.ask(1, bytes.fromhex("0800001234")) == bytes.fromhex("0800001234"), "another loopback passes")
+
+
+def unknown(check, program):
+    """What a function does that nobody knows, even a unit that says who it is, is not tried out; nor a file's limits guessed."""
+    with PlainUnits(1) as line, Served(program, line.name, "--units", "1", "--write", line=PATIENT) as served, Asker(served.number) as client:
+        for pdu in ("4100", "0800010000", "0800040000", "2b0d0100"):
+            check(client.ask(1, bytes.fromhex(pdu))[1:] == b"\1", f"01 to {pdu}")
+        check(not line.asked(0x41) and not line.asked(8), "and no frame", line.requests)
+    with Tool(program) as tool:
+        (tool.place / "fan.toml").write_text("[[register]]\nname = \"fan\"\naddress = 42\naccess = \"write\"\nmoves = true\n")
+        ended = tool.run("--name", "x=1:fan.toml", "--write", "serve", "--listen", "mbap://127.0.0.1:0", port="sim:atv320:1")
+        check(ended.status == USAGE and "fan.toml" in ended.errors, "a register file and --write", ended)
+
+
 def gate(check, program):
-    for part in (read_only, broadcasts, writes, by_words):
+    for part in (read_only, broadcasts, writes, by_words, exchanged, carried, unknown):
         part(check, program)
 
 

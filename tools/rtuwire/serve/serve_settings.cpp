@@ -61,6 +61,12 @@ void refuse_what_is_no_option_here(choices const& chosen)
     if (chosen.form == output_form::csv) {
         refuse_word("serve: what happens is told as it comes, or with --json as one object a line; not as --csv");
     }
+    for (named_unit const& each : names_in(chosen.line)) {
+        if (chosen.allowed.may_write and is_register_file(each.drive)) {
+            refuse_word("serve: --write knows nothing of the limits in " + each.drive +
+                        ", nor of what moves by its registers: leave " + "--write, or --name " + each.name + " out");
+        }
+    }
     if (not chosen.line.drive.empty()) {
         refuse_word("serve: --drive is of one unit: say --name fan=7:" + chosen.line.drive);
     }

@@ -116,6 +116,7 @@ void served_line::handle(served_request const& request)
     }
     named_unit const who = unit_at(unit);
     bool const is_read = only_reads(request.pdu);
+    forget_old(unit, is_read);
     bool const is_said_to_be_drive = not who.drive.empty() and who.drive != no_drive;
     if (not settings_.names_units() and is_said_to_be_drive) {
         tell_not_served(unit, "is said to be an " + who.drive);
@@ -133,9 +134,35 @@ void served_line::handle(served_request const& request)
         clients_.refuse(request, errc::gateway_path_unavailable);
         return;
     }
-    if (is_read or may_be_written(request, who)) {
+    if (is_read ? holds_no_frame(request) : may_be_written(request, who)) {
         forward(request, who);
     }
+}
+
+void served_line::forget_old(std::uint8_t unit, bool is_read)
+{
+    auto const known = known_.find(unit);
+    if (known == known_.end()) {
+        return;
+    }
+    constexpr std::chrono::seconds longest_of_read{60};
+    constexpr std::chrono::seconds longest_of_write{1};
+    constexpr std::chrono::seconds longest_of_doubt{10};
+    auto const now = steady_clock::now();
+    bool const is_in_doubt = not known->second.rules and now - known->second.asked >= longest_of_doubt;
+    if (is_in_doubt or now - known->second.heard >= (is_read ? longest_of_read : longest_of_write)) {
+        known_.erase(known);
+    }
+}
+
+bool served_line::holds_no_frame(served_request const& request)
+{
+    auto const why = ended_by(
+        [&] { refuse_frame_within(frame_of(std::byte{request.unit}, request.pdu), functions_within::public_ones); });
+    if (why) {
+        refuse_as(request, errc::illegal_function, "unsafe", number_of(request.unit) + ": " + why->what());
+    }
+    return not why;
 }
 
 void served_line::broadcast(served_request const& request)
@@ -199,6 +226,7 @@ bool served_line::identify(served_request const& request, named_unit const& unit
         return false;
     }
     found.why = why ? why->what() : "";
+    found.asked = found.heard = steady_clock::now();
     known_.emplace(number, found);
     return true;
 }
@@ -257,6 +285,12 @@ void served_line::forward(served_request const& request, named_unit const& unit)
         return;
     }
     note_outcome(request.unit, not has_gone_by_silence(why));
+    std::chrono::duration<double> const response_time{chosen_.line.response_timeout.value_or(1.0)};
+    bool const was_repeated = steady_clock::now() - began >= response_time;
+    bool const says_who = request.pdu[0] == static_cast<std::byte>(rtuwire::function_code::encapsulated_interface);
+    if (was_repeated or says_who) {
+        known_.erase(request.unit); // another may be there already
+    }
     if (why == errc::none and flaw_of_response(request.pdu, response) == errc::none) {
         clients_.answer(request, response);
     } else if (rtuwire::is_exception(why) and why != errc::unlisted_exception) {
@@ -269,6 +303,9 @@ void served_line::forward(served_request const& request, named_unit const& unit)
 void served_line::note_outcome(std::uint8_t unit, bool has_responded)
 {
     bool const is_news = silent_.note(unit, has_responded, steady_clock::now());
+    if (auto const known = known_.find(unit); known != known_.end()) {
+        known->second.heard = steady_clock::now();
+    }
     if (not has_responded) {
         counts_.note_silence(unit);
         known_.erase(unit); // another may answer there next

@@ -31,14 +31,22 @@ public:
     void run();
 
 private:
-    /// What a unit tells of itself; until it is silent, or the port is lost.
+    /// What a unit tells of itself; until it is silent, a request had to be repeated, or the port is lost, and for as long as
+    /// nobody can have put another in its place.
     struct known_unit {
         std::optional<write_rules> rules{}; ///< nothing: it may be a drive, which one is not known
         std::string why{};                  ///< nothing is written there then
+        serve_time asked{};                 ///< who it is
+        serve_time heard{};                 ///< last
 
         [[nodiscard]] bool may_be_drive() const { return not rules or rules->drive != nullptr or rules->command; }
     };
 
+    /// Forgets who a unit is where that may be another by now: for a write behind 1 s without an answer of it, for a read
+    /// behind 60 s; and where it could not say who it is, behind 10 s.
+    void forget_old(std::uint8_t unit, bool is_read);
+    /// Whether a read carries no frame for another unit; where it does, it is answered.
+    bool holds_no_frame(served_request const& request);
     bool open_again();
     void lose(std::string const& why);
     void handle(served_request const& request);

@@ -21,6 +21,16 @@ gate_verdict malformed(std::string const& number, rtuwire::byte_view pdu)
                 std::string{rtuwire::name(flaw_of(pdu, rtuwire::frame_role::request))}};
 }
 
+/// What is written by all others, nobody knows: diagnostics silence a unit, functions of a maker may run a motor.
+bool writes_places(rtuwire::byte_view pdu)
+{
+    using enum rtuwire::function_code;
+    constexpr rtuwire::function_set known{
+        write_single_coil, write_single_register, write_multiple_coils,         write_multiple_registers,
+        write_file_record, mask_write_register,   read_write_multiple_registers};
+    return known.contains(static_cast<rtuwire::function_code>(pdu[0]));
+}
+
 bool writes_beyond_last(rtuwire::byte_view pdu)
 {
     using enum rtuwire::function_code;
@@ -54,6 +64,10 @@ gate_verdict judge_request(gate_rules const& rules, std::uint8_t unit, rtuwire::
     if (not has_reading_function(pdu) and not rules.may_write) {
         return {errc::illegal_function, "write",
                 number + ": " + words_of_function(pdu) + ", may change something, and only reads pass; say --write"};
+    }
+    if (not has_reading_function(pdu) and not writes_places(pdu)) {
+        return {errc::illegal_function, "write",
+                number + ": " + words_of_function(pdu) + ", is none by which registers, coils or files are written"};
     }
     if (is_flawed) {
         return malformed(number, pdu);
