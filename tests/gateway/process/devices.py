@@ -131,8 +131,8 @@ def replaced(check, program, tool):
         with Gateway(program, folder, text_of(broker.port, [a_line(link, fan)])) as gateway:
             with Linked(tool, link, "atv320:7"):
                 check(flows(client, "line1/fan"), "the drive's values come")
-            gone = time.time()
-            changes = Changes(check, client)
+                changes = Changes(check, client)
+                gone = time.time()
             changes.says("line1/availability", "offline", gone, "gone")
             with Linked(tool, link, "atv12:7"):
                 back = time.time()
@@ -143,7 +143,7 @@ def replaced(check, program, tool):
                 check(not told, "its words are not told as those of the type before", [each.message for each in told[:2]])
                 check(client.last(f"{SITE}/line1/fan/availability") == "offline", "the device is offline",
                       client.last(f"{SITE}/line1/fan/availability"))
-            gone = time.time()
+                gone = time.time()
             changes.says("line1/availability", "offline", gone, "gone again")
             with Linked(tool, link, "atv320:7"):
                 back = time.time()
