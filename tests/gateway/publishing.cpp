@@ -207,7 +207,8 @@ TEST_CASE("values of a silent device are marked, and never given as fresh")
     auto const all = one.all();
     CHECK(texts_on(all, "line1/meter1/availability") == texts{"offline"});
     for (std::string const& each : texts_on(all, "line1/meter1/state")) {
-        for (auto const& [name, value] : json::parse(each)["values"].items()) {
+        json const state = json::parse(each);
+        for (auto const& [name, value] : state.at("values").items()) {
             CHECK(value["value"].is_null());
             CHECK(value["why"] == "it does not respond");
         }
