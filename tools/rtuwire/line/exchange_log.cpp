@@ -142,6 +142,7 @@ void exchange_log::take(rtuwire::traced_frame const& frame) noexcept
 {
     constexpr auto write = static_cast<std::byte>(rtuwire::function_code::write_single_register);
     // What the port did not take is traced, too.
+    sent_ += frame.is_own ? 1U : 0U;
     bool const has_passed = not frame.is_own or port_ == nullptr or port_->has_taken_last();
     if (has_passed and frame.verdict == rtuwire::frame_verdict::good and frame.bytes.size() > 1 and
         frame.bytes[1] == write) {

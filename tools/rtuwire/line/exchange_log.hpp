@@ -33,12 +33,16 @@ public:
     /// How far any of them came that has passed.
     written_word written() const { return written_; }
 
+    /// How many requests have left, repetitions counted.
+    unsigned long sent() const { return sent_; }
+
     /// A frame has passed. A file that can take no more is told of once, and left.
     void take(rtuwire::traced_frame const& frame) noexcept;
 
 private:
     owed_answers owed_{};
     written_word written_{written_word::unsent};
+    unsigned long sent_{0};
     any_port const* port_{nullptr};
     any_port const* shown_{nullptr}; ///< whose frames are shown, where they are
 };

@@ -264,6 +264,7 @@ void served_line::forward(served_request const& request, named_unit const& unit)
 {
     std::vector<std::byte> response;
     auto const began = steady_clock::now();
+    auto const sent = line_->exchange().sent();
     auto const run = [&](auto conversation) {
         auto const outcome = line_->run(conversation);
         if (outcome) {
@@ -285,8 +286,7 @@ void served_line::forward(served_request const& request, named_unit const& unit)
         return;
     }
     note_outcome(request.unit, not has_gone_by_silence(why));
-    std::chrono::duration<double> const response_time{chosen_.line.response_timeout.value_or(1.0)};
-    bool const was_repeated = steady_clock::now() - began >= response_time;
+    bool const was_repeated = line_->exchange().sent() - sent > 1;
     bool const says_who = request.pdu[0] == static_cast<std::byte>(rtuwire::function_code::encapsulated_interface);
     if (was_repeated or says_who) {
         known_.erase(request.unit); // another may be there already
@@ -303,12 +303,11 @@ void served_line::forward(served_request const& request, named_unit const& unit)
 void served_line::note_outcome(std::uint8_t unit, bool has_responded)
 {
     bool const is_news = silent_.note(unit, has_responded, steady_clock::now());
-    if (auto const known = known_.find(unit); known != known_.end()) {
-        known->second.heard = steady_clock::now();
-    }
     if (not has_responded) {
         counts_.note_silence(unit);
         known_.erase(unit); // another may answer there next
+    } else if (auto const known = known_.find(unit); known != known_.end()) {
+        known->second.heard = steady_clock::now();
     }
     if (is_news) {
         events_.tell(has_responded ? "back" : "silent", {{"unit", std::uint64_t{unit}}},
