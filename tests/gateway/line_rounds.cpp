@@ -181,6 +181,47 @@ TEST_CASE("another device in its place is marked, and nothing of it is published
     CHECK(on.board.device(0)->why == "another device");
 }
 
+TEST_CASE("another device in the place of one that says who it is, is found behind a pause and behind a lost response")
+{
+    for (bool const is_missed : {false, true}) {
+        CAPTURE(is_missed);
+        rounds_on_line on{2};
+        auto const names = std::make_shared<tool::named_places>();
+        names->vendor = "Maker";
+        on.plan.devices[0].names = names;
+        on.run_for(5s);
+        REQUIRE(on.board.device(0)->is_available);
+        REQUIRE(on.line.units[0].identified == 1);
+        if (is_missed) {
+            on.line.units[0].is_there = false;
+            for (unsigned const reads = on.line.units[0].reads; on.line.units[0].reads == reads;) {
+                on.rounds.step();
+            }
+            on.line.units[0].is_there = true;
+        } else {
+            on.line.pass(4s); // nobody asks anything
+        }
+        on.line.units[0].is_other = true;
+        on.run_for(2s);
+        CHECK_FALSE(on.board.device(0)->is_available);
+        CHECK(on.board.device(0)->values[power].state == value_state::not_read);
+        CHECK(on.count(event_kind::wrong_device) == 1);
+        CHECK(on.board.device(1)->is_available);
+    }
+}
+
+TEST_CASE("a setting whose turn does not come before the end is answered")
+{
+    rounds_on_line on{1};
+    on.run_for(5s);
+    on.submit(limit, "5");
+    on.rounds.end();
+    setting_answer const found = on.answer();
+    CHECK(found.result == setting_result::refused);
+    CHECK(found.why == "the line ended before its turn");
+    CHECK(on.line.units[0].written == 0);
+}
+
 TEST_CASE("what a line listens to before its first request leaves out no round")
 {
     rounds_on_line on{1};

@@ -279,6 +279,27 @@ TEST_CASE("a line that did not change goes on behind a reload, and the others en
     CHECK(on.lines.all()[0].get() == before);
 }
 
+TEST_CASE("each setting is answered once, also where its line ends before, while or after it is written")
+{
+    for (unsigned const wait : {0U, 1U, 2U, 5U, 20U}) {
+        CAPTURE(wait);
+        lines_of_folder on;
+        std::string const said = line_text("l1", "sim:" + on.file + ":3",
+                                           device_text("m", 3, "file = \"./meter.toml\"\nsettings = [\"set_point\"]"));
+        on.lines.apply(on.plan(said));
+        running_line& line = on.only();
+        REQUIRE(comes([&] { return line.device(0)->is_available; }));
+        line.submit({0, set_point, "21.5", unix_now() + 30'000'000, "id"});
+        std::this_thread::sleep_for(std::chrono::milliseconds{wait});
+        std::vector<setting_answer> answers;
+        on.lines.apply({}, [&](running_line& gone) { answers = gone.take_answers(); });
+        CHECK(on.lines.all().empty());
+        REQUIRE(answers.size() == 1);
+        CHECK(answers[0].id == "id");
+        CHECK((answers[0].result == setting_result::done or answers[0].result == setting_result::refused));
+    }
+}
+
 TEST_CASE("a port that is not there is told, tried again, and taken when it comes")
 {
     lines_of_folder on;

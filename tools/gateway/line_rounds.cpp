@@ -157,10 +157,20 @@ void line_rounds::ask_parts(clock::time_point now)
 void line_rounds::ask(part& one)
 {
     std::size_t const which = one.what.device;
-    if (devices_[which].is_identified or identify(which)) {
+    if (not may_be_another(which) or identify(which)) {
         read(one, static_cast<std::size_t>(&one - parts_.data()));
     }
     schedule(one, devices_[which].is_identified);
+}
+
+/// One that says who it is may have been exchanged where it was missed once, or not heard for a while.
+bool line_rounds::may_be_another(std::size_t which) const
+{
+    device const& one = devices_[which];
+    device_plan const& plan = plan_.devices[which];
+    bool const says_who = plan.drive != nullptr or (plan.names != nullptr and not plan.names->vendor.empty());
+    bool const is_doubtful = one.misses > 0 or line_.now() - one.heard >= longest_unheard;
+    return not one.is_identified or (says_who and is_doubtful);
 }
 
 /// Counted from where it began, so that no round makes the next one late for good; what was missed is left out. What a look at
@@ -206,6 +216,7 @@ bool line_rounds::identify(std::size_t which)
         return false;
     }
     one.is_identified = true;
+    one.heard = line_.now();
     return true;
 }
 
@@ -256,6 +267,7 @@ void line_rounds::read(part& one, std::size_t index)
     } else {
         asked.patience.note(true, line_.now());
         asked.misses = 0;
+        asked.heard = line_.now();
         if (std::exchange(asked.was_told, false)) {
             tell(event_kind::device_back, plan_.devices[which].name, "it responds again");
         }
@@ -321,6 +333,9 @@ void line_rounds::write(waiting_setting const& setting)
     if (outcome->was_sent and value.setting->is_stored) {
         written_[{request.device, request.value}] = line_.now();
     }
+    if (outcome->result != setting_result::done) {
+        devices_[request.device].heard = {}; // it may say that it is another
+    }
     if (outcome->was_sent) {
         for (part& each : parts_) { // what it holds now is published soon
             bool const has_it =
@@ -338,6 +353,13 @@ void line_rounds::answer(setting_request const& request, setting_result result, 
          to.values[request.value].name + '=' + request.text + ": " + std::string{name_of(result)} +
              (why.empty() ? "" : ": " + why));
     board_.answer({request.device, request.value, request.id, result, std::move(why), line_.unix_time()});
+}
+
+void line_rounds::end()
+{
+    while (auto const setting = board_.take_setting()) {
+        answer(setting->request, setting_result::refused, "the line ended before its turn");
+    }
 }
 
 void line_rounds::tell(event_kind what, std::string const& who, std::string const& text)

@@ -35,6 +35,9 @@ public:
     /// opened again in a later step, with growing pauses.
     void step();
 
+    /// No further step comes: what waited is answered.
+    void end();
+
 private:
     struct part {
         device_part what;
@@ -44,14 +47,16 @@ private:
     struct device {
         asked_less patience{misses_allowed, longest_pause};
         bool is_identified{false};
-        bool was_told{false}; ///< that it is lost, or another's
+        clock::time_point heard{}; ///< last
+        bool was_told{false};      ///< that it is lost, or another's
         unsigned misses{0};
         clock::time_point wrong_until{};
         slot_content content{};
     };
 
     static constexpr unsigned misses_allowed = 2;
-    static constexpr std::chrono::seconds longest_pause{2}; ///< so that who is back is so within 3 s
+    static constexpr std::chrono::seconds longest_unheard{3}; ///< behind which another may be in a device's place
+    static constexpr std::chrono::seconds longest_pause{2};   ///< so that who is back is so within 3 s
 
     void act();
     void open();
@@ -62,6 +67,8 @@ private:
     /// Whether each device was met, or is known to be away.
     bool is_settled() const;
     void ask(part& one);
+    /// Whether it has to be identified before it is read.
+    bool may_be_another(std::size_t which) const;
     /// False where it is silent, or another.
     bool identify(std::size_t which);
     void read(part& one, std::size_t index);

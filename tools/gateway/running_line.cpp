@@ -25,13 +25,16 @@ public:
     }
     parts(parts const&) = delete;
     parts& operator=(parts const&) = delete;
-    ~parts()
-    {
-        end();
-        thread_.join();
-    }
+    ~parts() { finish(); }
 
     void end() { shall_end_ = true; }
+    void finish()
+    {
+        end();
+        if (thread_.joinable()) {
+            thread_.join();
+        }
+    }
 
     std::shared_ptr<line_plan const> plan;
     line_board board;
@@ -44,6 +47,7 @@ private:
         while (not shall_end_) {
             rounds.step();
         }
+        rounds.end();
     }
 
     std::atomic<bool> shall_end_{false};
@@ -73,13 +77,23 @@ std::vector<line_event> running_line::take_events() { return parts_->board.take_
 
 void running_line::end() { parts_->end(); }
 
+void running_line::finish() { parts_->finish(); }
+
 running_lines::running_lines(bool may_write, std::function<void()> on_news)
     : may_write_{may_write}, on_news_{std::move(on_news)}
 {}
 
-running_lines::~running_lines() { apply({}); }
+running_lines::~running_lines() { finish(); }
 
-void running_lines::apply(gateway_plan const& plan)
+void running_lines::finish()
+{
+    for (auto const& each : lines_) { // all of them at once, before one is waited for
+        each->end();
+    }
+    std::ranges::for_each(lines_, [](auto const& each) { each->finish(); });
+}
+
+void running_lines::apply(gateway_plan const& plan, std::function<void(running_line&)> const& last_look)
 {
     std::vector<std::shared_ptr<running_line>> next;
     for (auto const& each : plan.lines) {
@@ -89,8 +103,9 @@ void running_lines::apply(gateway_plan const& plan)
         next.push_back(same == lines_.end() ? nullptr : std::exchange(*same, nullptr));
     }
     std::erase(lines_, nullptr);
-    for (auto const& each : lines_) { // all of them at once, before one is waited for
-        each->end();
+    finish();
+    for (auto const& each : lines_) {
+        last_look(*each);
     }
     lines_.clear(); // a port is free before its new line opens it
     for (std::size_t i = 0; i < next.size(); ++i) {

@@ -82,8 +82,10 @@ public:
     [[nodiscard]] std::vector<setting_answer> take_answers();
     [[nodiscard]] std::vector<line_event> take_events();
 
-    /// Begins to end; the destructor waits for it.
+    /// Begins to end: behind the request that is under way.
     void end();
+    /// Waits for that. Each setting has its answer then, those that waited as well; what is known stays.
+    void finish();
 
 private:
     class parts;
@@ -99,8 +101,11 @@ public:
     ~running_lines();
 
     /// Lines that did not change go on; the others end, and those of the plan begin. All that end do so at once, each behind
-    /// its request.
-    void apply(gateway_plan const& plan);
+    /// its request; `last_look` sees each that has ended, with its last answers and events.
+    void apply(
+        gateway_plan const& plan, std::function<void(running_line&)> const& last_look = [](running_line&) {});
+    /// All end, and stay.
+    void finish();
 
     /// In the order of the plan.
     [[nodiscard]] std::vector<std::shared_ptr<running_line>> const& all() const noexcept { return lines_; }

@@ -93,7 +93,7 @@ void mqtt_gateway::take_plan(gateway_plan plan)
     }
     std::vector<std::shared_ptr<line_plan const>> known = std::exchange(line_plans_, {});
     known.insert(known.end(), plan_.lines.begin(), plan_.lines.end());
-    lines_.apply(plan_);
+    lines_.apply(plan_, [this](running_line& gone) { look_at(gone); });
     for (std::shared_ptr<running_line> const& each : lines_.all()) {
         line_plans_.push_back(*std::ranges::find(known, &each->plan(), &std::shared_ptr<line_plan const>::get));
     }
@@ -131,9 +131,8 @@ void mqtt_gateway::run()
         }
     }
     tell("end", "ends");
-    for (std::shared_ptr<running_line> const& each : lines_.all()) {
-        each->end();
-    }
+    lines_.finish();
+    look_at_lines();
     finish_connection();
     keep_record();
 }
@@ -174,17 +173,20 @@ void mqtt_gateway::connect()
 
 void mqtt_gateway::look_at_lines()
 {
-    for (std::shared_ptr<running_line> const& line : lines_.all()) {
-        line_plan const& plan = line->plan();
-        for (line_event& each : line->take_events()) {
-            log_.tell(
-                {std::string{name_of(each.what)}, std::move(each.text), plan.name, std::move(each.device), each.time});
-        }
-        for (setting_answer const& each : line->take_answers()) {
-            device_plan const& device = plan.devices[each.device];
-            publisher_.put_answer({plan.name, device.name, device.values[each.value].name},
-                                  answer_text(each.id, each.result, each.why, each.time));
-        }
+    std::ranges::for_each(lines_.all(), [this](std::shared_ptr<running_line> const& each) { look_at(*each); });
+}
+
+void mqtt_gateway::look_at(running_line& line)
+{
+    line_plan const& plan = line.plan();
+    for (line_event& each : line.take_events()) {
+        log_.tell(
+            {std::string{name_of(each.what)}, std::move(each.text), plan.name, std::move(each.device), each.time});
+    }
+    for (setting_answer const& each : line.take_answers()) {
+        device_plan const& device = plan.devices[each.device];
+        publisher_.put_answer({plan.name, device.name, device.values[each.value].name},
+                              answer_text(each.id, each.result, each.why, each.time));
     }
 }
 

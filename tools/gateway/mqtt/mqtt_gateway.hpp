@@ -45,6 +45,7 @@ private:
     [[nodiscard]] std::vector<line_feed> feeds() const;
     void connect();
     void look_at_lines();
+    void look_at(running_line& line);
     void look_at_connection();
     void take(arrived_message const& message);
     void take_setting(setting_topic const& topic, arrived_message const& message);
