@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Lets many clients ask the units of one line, one request at a time. It reads unless --write says otherwise, and passes on
-// nothing by which a motor may turn.
+// nothing by which the motor of a known drive may turn.
 #include <chrono>
 #include <csignal>
 #include <string>
@@ -30,7 +30,7 @@ void tell_what_is_served(choices const& chosen, serve_settings const& settings)
     if (settings.gate.may_write) {
         text +=
             "serve: --write: clients may write what the command write may, to whoever is served; nothing by which a "
-            "motor may turn\n";
+            "motor of a known drive may turn; which registers run another maker's, nobody here knows\n";
     }
     tell_at_once(text);
 }
