@@ -17,7 +17,7 @@ from support import DIFFERS, DONE, LIMIT, REFUSED, USAGE, Simulator, Tool, Units
 
 from simulator import Registers, asked, pymodbus_on  # noqa: I100
 
-QUICK = ("--timeout", 0.2, "--no-listen")  # long enough on a busy machine
+QUICK = ("--timeout", 0.3, "--no-listen")  # long enough on a busy machine
 
 
 def held(device, unit, registers):

@@ -700,6 +700,17 @@ def behind(check, program, upstream):
 
 # Fair.
 
+def stop_asking(self):
+    """Of a client in a thread."""
+    self.is_over = True
+    try:
+        self.client.socket.shutdown(socket.SHUT_RDWR)
+    except OSError:
+        pass
+    self.thread.join()
+    self.client.close()
+
+
 class Flood:
     """A client whose queue is always full: what was answered is asked anew."""
 
@@ -719,14 +730,7 @@ class Flood:
         except OSError:
             pass
 
-    def end(self):
-        self.is_over = True
-        try:
-            self.client.socket.shutdown(socket.SHUT_RDWR)
-        except OSError:
-            pass
-        self.thread.join()
-        self.client.close()
+    end = stop_asking
 
 
 class Steady:
@@ -754,14 +758,7 @@ class Steady:
         except OSError:
             pass
 
-    def end(self):
-        self.is_over = True
-        try:
-            self.client.socket.shutdown(socket.SHUT_RDWR)
-        except OSError:
-            pass
-        self.thread.join()
-        self.client.close()
+    end = stop_asking
 
 
 def all_ask(line, steady, foreign=()):
