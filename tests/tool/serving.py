@@ -655,7 +655,9 @@ def words(check, program):
         number = taken.getsockname()[1]
         for said, names in ((["--listen", "foo://127.0.0.1:1502"], ["foo"]), (["--listen", "mbap://127.0.0.1:99999"], ["99999"]),
                             (["--listen", "mbap://no-such-host.invalid:1502"], ["no-such-host.invalid"]), (["--listen", "/dev/ttyS0"], ["/dev/ttyS0"]),
-                            (["--listen", "sim:atv320:7"], ["sim:"]), (["--units", "0"], ["0"]), (["--units", "1-300"], ["300"]),
+                            (["--listen", "sim:atv320:7"], ["sim:"]), (["--units", "0"], ["0"]), (["--units", ""], ["--units"]),
+                            (["--functions", ""], ["--functions"]), (["--metrics", ""], ["--metrics"]),
+                            (["--from", ""], ["--from"]), (["--listen", ""], ["--listen"]), (["--units", ","], ["','"]), (["--units", "1-300"], ["300"]),
                             (["--units", "5-2"], ["5-2"]), (["--units", "abc"], ["abc"]), (["--functions", "0"], ["0"]), (["--functions", "300"], ["300"]),
                             (["--functions", "x"], ["x"]), (["--from", "abc"], ["abc"]), (["--from", "1.2.3.4/33"], ["1.2.3.4/33"]),
                             (["--from", "1.2.3"], ["1.2.3"]), (["--metrics", "nowhere"], ["nowhere"]), (["--metrics", "127.0.0.1:70000"], ["70000"]),
@@ -663,6 +665,9 @@ def words(check, program):
                             (["--allow-run"], ["--allow-run"]), (["--allow-run", "--write"], ["--allow-run"]), (["--allow-broadcast"], ["--write"])):
             ended = tool.run("serve", *said, "--for", "0.1s", port=line.name) if "--for" not in said else tool.run("serve", *said, port=line.name)
             check(ended.status in (USAGE, REFUSED, PORT) and all(each in ended.errors for each in names), f"refused, with its word: {' '.join(said)}", ended)
+        for said in (["-u", 5], ["--unit", 5], ["-u", "meter", "--name", "meter=5"]):
+            ended = tool.run(*said, "serve", "--listen", "mbap://127.0.0.1:0", "--for", "0.1s", port=line.name)
+            check(ended.status == USAGE and "--units 5" in ended.errors, f"the word to use instead: {said}", ended)
         for said in (["--listen", f"mbap://127.0.0.1:{number}"], ["--listen", "mbap://127.0.0.1:0", "--metrics", f"127.0.0.1:{number}"]):
             ended = tool.run("serve", *said, port=line.name)
             check(ended.status in (PORT, USAGE) and str(number) in ended.errors and "in use" in ended.errors, f"taken: {' '.join(said)}", ended)

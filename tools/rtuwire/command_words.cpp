@@ -26,6 +26,12 @@ std::string why_no_number(std::string const& word)
     return std::isnan(std::strtod(word.c_str(), nullptr)) ? "'" + word + "' is no number" : std::string{};
 }
 
+/// An empty word is what a variable without a value leaves, and never all that there is.
+std::string why_no_list(std::string const& word)
+{
+    return word.empty() ? "nothing stands in the list: name what is meant, or leave the option out" : std::string{};
+}
+
 void add_line_options(CLI::App& app, line_choices& line)
 {
     app.add_option(
@@ -431,15 +437,19 @@ void add_serve(CLI::App& app, choices& chosen)
                     "where: mbap://127.0.0.1:1502 (as without one) is Modbus TCP, tcp://127.0.0.1:4001 RTU frames over "
                     "TCP; port 0 is any that is free")
         ->allow_extra_args(false);
-    serve.add_option("--units", with.units,
-                     "the units that are served, 1-4,7; drives as well. Without it all but drives");
-    serve.add_option("--functions", with.functions, "the functions that are served, 3,4,16 or 0x10");
+    serve
+        .add_option("--units", with.units,
+                    "the units that are served, 1-4,7; drives as well. Without it all but drives")
+        ->check(why_no_list);
+    serve.add_option("--functions", with.functions, "the functions that are served, 3,4,16 or 0x10")
+        ->check(why_no_list);
     serve
         .add_option("--from", with.from,
                     "the clients that are served, 192.168.1.0/24 or fd00::/8; all others are hung up on")
         ->allow_extra_args(false);
     serve.add_flag("--allow-broadcast", with.may_broadcast, "send to all units what clients send to unit 0 (--write)");
-    serve.add_option("--metrics", with.metrics, "where GET /metrics tells figures to Prometheus: 127.0.0.1:9502");
+    serve.add_option("--metrics", with.metrics, "where GET /metrics tells figures to Prometheus: 127.0.0.1:9502")
+        ->check(why_no_list);
     add_time_limit(serve, chosen);
     add_to_footer(
         serve,

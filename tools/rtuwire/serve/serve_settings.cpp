@@ -67,6 +67,12 @@ void refuse_what_is_no_option_here(choices const& chosen)
                         ", nor of what moves by its registers: leave " + "--write, or --name " + each.name + " out");
         }
     }
+    if (not chosen.line.typed.unit.empty()) {
+        refuse_word("serve:" + chosen.line.typed.unit +
+                    " is for commands that ask one unit; which units clients may ask says --units behind serve: "
+                    "serve --units " +
+                    std::to_string(unit_in(chosen.line).unit.byte()));
+    }
     if (not chosen.line.drive.empty()) {
         refuse_word("serve: --drive is of one unit: say --name fan=7:" + chosen.line.drive);
     }
