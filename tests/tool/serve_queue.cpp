@@ -117,7 +117,7 @@ TEST_CASE("serve: of a client that left nothing is taken, and what is old is han
     request_queue queue;
     REQUIRE(queue.add(request_of(1, 1)));
     REQUIRE(queue.add(request_of(2, 2, begin + 1s)));
-    REQUIRE(queue.add(request_of(2, 3, begin + 3s)));
+    REQUIRE(queue.add(request_of(3, 3, begin + 3s)));
     CHECK(queue.next_old() == begin + 5s);
     queue.drop(1);
     CHECK(queue.next_old() == begin + 6s);
@@ -130,6 +130,24 @@ TEST_CASE("serve: of a client that left nothing is taken, and what is old is han
     CHECK(queue.take()->number == 3);
     CHECK_FALSE(queue.take());
     CHECK_FALSE(queue.next_old());
+}
+
+TEST_CASE("serve: what came behind a request that is old goes with it, in its order, and another client's stays")
+{
+    request_queue queue;
+    REQUIRE(queue.add(request_of(1, 1)));
+    REQUIRE(queue.add(request_of(1, 2, begin + 4s)));
+    REQUIRE(queue.add(request_of(1, 3, begin + 5s)));
+    REQUIRE(queue.add(request_of(2, 4, begin + 1s)));
+    CHECK(queue.has(1));
+    auto const old = queue.take_old(begin + 5s);
+    REQUIRE(old.size() == 3);
+    CHECK(old[0].number == 1);
+    CHECK(old[1].number == 2);
+    CHECK(old[2].number == 3);
+    CHECK(queue.size() == 1);
+    CHECK_FALSE(queue.has(1));
+    CHECK(queue.take()->number == 4);
 }
 
 namespace {

@@ -450,6 +450,70 @@ def too_old(check, program):
         check((1, FIRST + 2) not in line.reads(), "and the old one is not asked any more", line.reads())
 
 
+def write_of(address, value):
+    return bytes([6]) + struct.pack(">HH", address, value)
+
+
+def written(line):
+    """What the writes on the line were, in their order."""
+    return [int.from_bytes(each[2:4], "big") for each in line.asked(6)]
+
+
+def in_order(check, program):
+    """Of writes that a client sends one behind the other none is done behind one that was refused as too old."""
+    long = ("--timeout", 30, "--retries", 0)
+    with PlainUnits(1) as line, \
+            Served(program, line.name, "--listen", "mbap://127.0.0.1:0", "--listen", "tcp://127.0.0.1:0", "--units", "1", "--write", line=long) as served, \
+            Asker(served.number) as holder, Asker(served.number) as client, RtuAsker(served.ports["tcp"][0]) as rtu:
+        check(client.ask(1, write_of(FIRST, 1))[0] == 6, "a write")
+        line.hold()
+        holder.send(1, read_of(FIRST + 1))
+        check(soon(lambda: (1, FIRST + 1) in line.reads()), "the line is held")
+        client.send(1, write_of(FIRST + 10, 1), 10)
+        # RTU frames have no number: both are there before the first is answered.
+        rtu.socket.sendall(with_crc(b"\1" + write_of(FIRST + 20, 1)) + with_crc(b"\1" + write_of(FIRST + 21, 1)))
+        time.sleep(4)
+        client.send(1, write_of(FIRST + 11, 1), 11)
+        client.send(1, read_of(FIRST + 12), 12)
+        found = [client.answer()]
+        refused = [rtu.answer()[2]]
+        line.release_all()
+        found += [client.answer() for _ in range(2)]
+        check(found == [(10, 1, b"\x86\6"), (11, 1, b"\x86\6"), (12, 1, b"\x83\6")], "what stands behind one that is too old is answered 06 with it",
+              found)
+        refused.append(rtu.answer()[2])
+        check(refused == [b"\x86\6"] * 2, "RTU frames, too", refused)
+        check(holder.answer()[2][0] == 3, "the line goes on")
+        check(client.ask(1, write_of(FIRST + 13, 1))[0] == 6 and rtu.ask(1, write_of(FIRST + 23, 1))[0] == 6, "what is sent behind these answers is done")
+        check(written(line) == [FIRST, FIRST + 13, FIRST + 23], "and nothing else", written(line))
+
+
+def in_order_behind_full(check, program):
+    """Nor behind one that found no place."""
+    with PlainUnits(1) as line, Served(program, line.name, "--units", "1", "--write", line=("--timeout", 30, "--retries", 0)) as served, \
+            Asker(served.number) as client:
+        client.read(1, FIRST)
+        line.hold()
+        client.send(1, read_of(FIRST + 1))
+        check(soon(lambda: (1, FIRST + 1) in line.reads()), "the line is held")
+        for i in range(20):
+            client.send(1, write_of(FIRST + 10 + i, 1), 100 + i)
+        refused = [client.answer() for _ in range(4)]
+        check([each[0] for each in refused] == [116, 117, 118, 119] and all(each[2] == b"\x86\6" for each in refused), "four find no place", refused)
+        # A place is free as soon as the first is on the line; those before still wait.
+        line.before_answer = lambda request: len(line.asked(6)) == 2 and soon(lambda: has_sent)
+        has_sent = []
+        line.release_all()
+        client.answer()
+        client.answer()
+        client.send(1, write_of(FIRST + 50, 1), 200)
+        has_sent.append(True)
+        rest = [client.answer() for _ in range(16)]
+        check(dict((each[0], each[2]) for each in rest)[200] == b"\x86\6", "one behind them is refused while they wait", rest)
+        check(client.ask(1, write_of(FIRST + 51, 1))[0] == 6, "and taken once none waits")
+        check(written(line) == [FIRST + 10 + i for i in range(16)] + [FIRST + 51], "in their order", written(line))
+
+
 def halves(check, program):
     with PlainUnits(1) as line, \
             Served(program, line.name, "--listen", "mbap://127.0.0.1:0", "--listen", "tcp://127.0.0.1:0", "--units", "1", line=PATIENT) as served:
@@ -509,7 +573,7 @@ def at_once(check, program, parts):
 
 
 def limits(check, program):
-    at_once(check, program, (too_many, full_queue, too_old, halves, no_modbus))
+    at_once(check, program, (too_many, full_queue, too_old, in_order, in_order_behind_full, halves, no_modbus))
 
 
 # The port, the figures, the end.

@@ -49,11 +49,12 @@ std::vector<served_request> request_queue::take_old(serve_time now)
     std::vector<served_request> old;
     for (auto client = waiting_.begin(); client != waiting_.end();) {
         auto& own = client->second;
-        while (not own.empty() and now - own.front().came >= oldest) {
-            old.push_back(std::move(own.front()));
-            own.pop_front();
+        if (now - own.front().came < oldest) {
+            ++client;
+            continue;
         }
-        client = own.empty() ? waiting_.erase(client) : std::next(client);
+        std::ranges::move(own, std::back_inserter(old));
+        client = waiting_.erase(client);
     }
     size_ -= old.size();
     return old;

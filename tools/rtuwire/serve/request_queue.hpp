@@ -39,7 +39,11 @@ public:
     /// The first of the client whose turn it is.
     [[nodiscard]] std::optional<served_request> take();
 
-    /// Those that have waited too long.
+    /// Whether a client has one that waits.
+    [[nodiscard]] bool has(std::uint64_t client) const { return waiting_.count(client) > 0; }
+
+    /// Those that have waited too long, each with all that its client sent behind it: none of these is to be done where the
+    /// one before was not.
     [[nodiscard]] std::vector<served_request> take_old(serve_time now);
 
     /// When the next has waited too long.

@@ -282,6 +282,7 @@ void served_clients::serve(client& one, short events, serve_time when)
     if ((events & POLLOUT) != 0) {
         send(one, when);
     }
+    bool has_read_all = not was_held and not one.requests.room().empty();
     if ((events & POLLIN) != 0 and not was_held) {
         rtuwire::byte_span const room = one.requests.room();
         ssize_t const count = ::recv(one.line.descriptor_number(), room.data(), room.size(), 0);
@@ -293,8 +294,10 @@ void served_clients::serve(client& one, short events, serve_time when)
             one.requests.add(static_cast<std::size_t>(count), when);
             one.heard = when;
         }
+        has_read_all = count < static_cast<ssize_t>(room.size());
     }
     take_requests(one, when);
+    one.is_behind = one.is_behind and not(has_read_all and not one.requests.part_ends() and not queue_.has(one.number));
     bool const has_part = not is_held(one) and one.requests.part_ends() and *one.requests.part_ends() <= when;
     one.gone = one.gone != nullptr                                          ? one.gone
                : has_part                                                   ? "its request did not become whole in 10 s"
@@ -334,12 +337,18 @@ void served_clients::take(client& one, served_request request)
         answer(one, request, exception_to(request, verdict.refused));
         return;
     }
+    if (one.is_behind and not verdict.only_reads) {
+        note_refused("order", &request, "a write came behind a request that was answered 06", one.line.device());
+        answer(one, request, exception_to(request, errc::server_device_busy));
+        return;
+    }
     counts_.note_request(request.unit, std::to_integer<std::uint8_t>(request.pdu[0]));
     served_request const kept = request;
     if (queue_.add(std::move(request))) {
         one.is_waiting = one.requests.is_rtu();
         return;
     }
+    one.is_behind = true;
     note_refused("queue", &kept, "too many requests wait", one.line.device());
     answer(one, kept, exception_to(kept, errc::server_device_busy));
 }
@@ -395,6 +404,7 @@ void served_clients::refuse_old(serve_time when)
 {
     for (served_request const& each : queue_.take_old(when)) {
         if (client* const one = find(each.client)) {
+            one->is_behind = true;
             note_refused("age", &each, "a request waited for " + std::to_string(request_queue::oldest.count()) + " s",
                          one->line.device());
             answer(*one, each, exception_to(each, errc::server_device_busy));

@@ -84,7 +84,8 @@ private:
         std::vector<std::byte> out{};          ///< that is to be taken
         std::optional<serve_time> out_since{}; ///< when it took none of it
         bool is_waiting{false};                ///< of RTU frames: for the answer to its request
-        char const* gone{nullptr};             ///< why it is hung up on
+        bool is_behind{false};     ///< a request was answered 06, and its client may have sent the next before it knew
+        char const* gone{nullptr}; ///< why it is hung up on
     };
     struct reader {
         rtuwire::tcp_stream line;
