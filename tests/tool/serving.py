@@ -514,6 +514,30 @@ def in_order_behind_full(check, program):
         check(written(line) == [FIRST + 10 + i for i in range(16)] + [FIRST + 51], "in their order", written(line))
 
 
+def idle(check, program):
+    """Who asks nothing is hung up on; who waits for an answer is not idle."""
+    with PlainUnits(1) as line, \
+            Served(program, line.name, "--units", "1", "--idle", "1s", "--json", line=("--timeout", 30, "--retries", 0)) as served, \
+            Asker(served.number) as waits:
+        waits.read(1, FIRST)
+        line.hold()
+        waits.send(1, read_of(FIRST + 1))
+        check(soon(lambda: (1, FIRST + 1) in line.reads()), "one waits for its answer")
+        began = time.monotonic()
+        with Asker(served.number) as sleeps:
+            check(sleeps.has_ended() and time.monotonic() - began > 0.9, "one that asks nothing is hung up on, not before its time")
+        check(tells(served, "asked nothing for 1 s"), "that is told", served.events())
+        check(not [each for each in served.events() if each["event"] == "disconnect" and str(waits.socket.getsockname()[1]) in each["client"]],
+              "and not of the one that waits", served.events())
+        line.release_all()
+        check(waits.answer()[2][0] == 3, "which gets its answer")
+        check(waits.has_ended(), "and is hung up on when it asks no more")
+    with PlainUnits(1) as line, Tool(program) as tool:
+        for said in ("0s", "soon", ""):
+            ended = tool.run("serve", "--idle", said, "--listen", "mbap://127.0.0.1:0", "--for", "0.1s", port=line.name)
+            check(ended.status == USAGE and "--idle" in ended.errors, f"no time to be idle: '{said}'", ended)
+
+
 def halves(check, program):
     with PlainUnits(1) as line, \
             Served(program, line.name, "--listen", "mbap://127.0.0.1:0", "--listen", "tcp://127.0.0.1:0", "--units", "1", line=PATIENT) as served:
@@ -573,7 +597,7 @@ def at_once(check, program, parts):
 
 
 def limits(check, program):
-    at_once(check, program, (too_many, full_queue, too_old, in_order, in_order_behind_full, halves, no_modbus))
+    at_once(check, program, (too_many, full_queue, too_old, in_order, in_order_behind_full, idle, halves, no_modbus))
 
 
 # The port, the figures, the end.

@@ -130,7 +130,8 @@ struct serve_choices {
     std::string functions{};           ///< "3,4,16"; empty: all
     std::vector<std::string> from{};   ///< "192.168.1.0/24"; empty: from anywhere
     bool may_broadcast{false};
-    std::string metrics{}; ///< "127.0.0.1:9502"; empty: none
+    std::string metrics{};        ///< "127.0.0.1:9502"; empty: none
+    std::optional<double> idle{}; ///< seconds until a client that asks nothing is hung up on; nothing: 10 minutes
 };
 
 struct choices {

@@ -450,6 +450,8 @@ void add_serve(CLI::App& app, choices& chosen)
     serve.add_flag("--allow-broadcast", with.may_broadcast, "send to all units what clients send to unit 0 (--write)");
     serve.add_option("--metrics", with.metrics, "where GET /metrics tells figures to Prometheus: 127.0.0.1:9502")
         ->check(why_no_list);
+    add_time(serve, "--idle", with.idle, "how long a client may ask nothing before it is hung up on: 10min without it",
+             time_limit_typed, "10s, 10min or 8h: more than 0, at most 366 days");
     add_time_limit(serve, chosen);
     add_to_footer(
         serve,

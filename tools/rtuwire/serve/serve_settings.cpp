@@ -111,6 +111,10 @@ serve_settings serve_settings_in(choices const& chosen)
     if (not chosen.serve.metrics.empty()) {
         settings.metrics = place_of_metrics(chosen.serve.metrics);
     }
+    if (chosen.serve.idle) {
+        settings.longest_idle = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+            std::chrono::duration<double>{*chosen.serve.idle});
+    }
     settings.last = chosen.last;
     return settings;
 }

@@ -3,6 +3,7 @@
 // What the command line says of a line that clients ask.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,6 +34,7 @@ struct serve_settings {
     gate_rules gate{};
     std::vector<client_range> from{}; ///< empty: from anywhere
     std::optional<tcp_address> metrics{};
+    std::chrono::steady_clock::duration longest_idle{std::chrono::minutes{10}}; ///< of a client that asks nothing
     std::optional<double> last{}; ///< seconds; nothing: until somebody ends the program
 
     /// Whether drives are served, which are those that somebody named.

@@ -12,6 +12,7 @@
 #include "exit_status.hpp"
 #include "line/end_wish.hpp"
 #include "serve/metrics_page.hpp"
+#include "words/time_words.hpp"
 
 namespace tool {
 
@@ -127,6 +128,7 @@ std::optional<served_request> served_clients::take()
 void served_clients::answer(served_request const& to, byte_view pdu)
 {
     if (client* const one = find(to.client)) {
+        finish(*one, now());
         answer(*one, to, pdu);
     }
 }
@@ -142,8 +144,14 @@ void served_clients::note_refused(std::string const& kind, served_request const&
 void served_clients::finish(served_request const& request)
 {
     if (client* const one = find(request.client)) {
-        one->is_waiting = false;
+        finish(*one, now());
     }
+}
+
+void served_clients::finish(client& one, serve_time when)
+{
+    --one.waiting;
+    one.heard = when; // from here on it may ask
 }
 
 void served_clients::end()
@@ -173,7 +181,7 @@ serve_time served_clients::next_deadline(serve_time until) const
     sooner(ends_at_ ? ends_at_ : last_);
     sooner(next_accept_ > now() ? std::optional{next_accept_} : std::nullopt);
     for (client const& each : clients_) {
-        sooner(each.heard + longest_idle);
+        sooner(idle_ends(each));
         sooner(each.out_since ? std::optional{*each.out_since + longest_untaken} : std::nullopt);
         if (not is_held(each)) {
             sooner(each.requests.part_ends());
@@ -299,11 +307,14 @@ void served_clients::serve(client& one, short events, serve_time when)
     take_requests(one, when);
     one.is_behind = one.is_behind and not(has_read_all and not one.requests.part_ends() and not queue_.has(one.number));
     bool const has_part = not is_held(one) and one.requests.part_ends() and *one.requests.part_ends() <= when;
-    one.gone = one.gone != nullptr                                          ? one.gone
+    auto const idle_end = idle_ends(one);
+    one.gone = not one.gone.empty()                                         ? one.gone
                : has_part                                                   ? "its request did not become whole in 10 s"
                : one.out_since and when >= *one.out_since + longest_untaken ? "it took no answer for 10 s"
-               : when >= one.heard + longest_idle                           ? "it asked nothing for 10 minutes"
-                                                                            : nullptr;
+               : idle_end and when >= *idle_end
+                   ? "it asked nothing for " +
+                         seconds_text(std::chrono::duration_cast<std::chrono::microseconds>(settings_.longest_idle))
+                   : "";
     if (has_part) {
         note_refused("part", nullptr, one.line.device() + " was hung up on: " + one.gone, one.line.device());
     }
@@ -311,14 +322,14 @@ void served_clients::serve(client& one, short events, serve_time when)
 
 void served_clients::take_requests(client& one, serve_time when)
 {
-    while (not is_held(one) and one.gone == nullptr) {
+    while (not is_held(one) and one.gone.empty()) {
         auto request = one.requests.take(when);
         if (not request) {
             break;
         }
         take(one, std::move(*request));
     }
-    if (one.gone == nullptr and one.requests.is_broken()) {
+    if (one.gone.empty() and one.requests.is_broken()) {
         one.gone = "what it sent is no Modbus TCP";
         note_refused("protocol", nullptr, one.line.device() + " was hung up on: " + one.gone, one.line.device());
     }
@@ -345,7 +356,7 @@ void served_clients::take(client& one, served_request request)
     counts_.note_request(request.unit, std::to_integer<std::uint8_t>(request.pdu[0]));
     served_request const kept = request;
     if (queue_.add(std::move(request))) {
-        one.is_waiting = one.requests.is_rtu();
+        ++one.waiting;
         return;
     }
     one.is_behind = true;
@@ -355,7 +366,6 @@ void served_clients::take(client& one, served_request request)
 
 void served_clients::answer(client& one, served_request const& to, byte_view pdu)
 {
-    one.is_waiting = false;
     if ((pdu[0] & std::byte{0x80}) != std::byte{0}) {
         counts_.note_exception(to.unit, std::to_integer<std::uint8_t>(pdu[1]));
     }
@@ -407,6 +417,7 @@ void served_clients::refuse_old(serve_time when)
             one->is_behind = true;
             note_refused("age", &each, "a request waited for " + std::to_string(request_queue::oldest.count()) + " s",
                          one->line.device());
+            finish(*one, when);
             answer(*one, each, exception_to(each, errc::server_device_busy));
         }
     }
@@ -415,12 +426,12 @@ void served_clients::refuse_old(serve_time when)
 void served_clients::hang_up()
 {
     for (auto one = clients_.begin(); one != clients_.end();) {
-        if (one->gone == nullptr) {
+        if (one->gone.empty()) {
             ++one;
             continue;
         }
         queue_.drop(one->number);
-        events_.note("disconnect", {{"client", one->line.device()}, {"why", std::string{one->gone}}},
+        events_.note("disconnect", {{"client", one->line.device()}, {"why", one->gone}},
                      one->line.device() + " is disconnected: " + one->gone);
         one = clients_.erase(one);
     }

@@ -29,8 +29,7 @@ namespace tool {
 class served_clients : public port_attendant {
 public:
     static constexpr std::size_t most_clients = 32;
-    static constexpr std::size_t most_readers = 8; ///< of the metrics
-    static constexpr std::chrono::minutes longest_idle{10};
+    static constexpr std::size_t most_readers = 8;             ///< of the metrics
     static constexpr std::chrono::seconds longest_untaken{10}; ///< an answer, by its client
     static constexpr std::chrono::seconds longest_reader{5};
     /// Where the system has no room for a connection, it is not asked again at once.
@@ -83,9 +82,9 @@ private:
         serve_time heard;
         std::vector<std::byte> out{};          ///< that is to be taken
         std::optional<serve_time> out_since{}; ///< when it took none of it
-        bool is_waiting{false};                ///< of RTU frames: for the answer to its request
-        bool is_behind{false};     ///< a request was answered 06, and its client may have sent the next before it knew
-        char const* gone{nullptr}; ///< why it is hung up on
+        std::size_t waiting{0};                ///< requests that have no answer yet
+        bool is_behind{false}; ///< a request was answered 06, and its client may have sent the next before it knew
+        std::string gone{};    ///< why it is hung up on
     };
     struct reader {
         rtuwire::tcp_stream line;
@@ -98,7 +97,16 @@ private:
     /// Waits once, and serves whom there is something of. Whether the descriptor has one of these events.
     bool pass(int descriptor, short events, serve_time until);
     serve_time next_deadline(serve_time until) const;
-    static bool is_held(client const& one) { return not one.out.empty() or one.is_waiting; }
+    /// Of RTU frames, which have no number, one request is taken at a time.
+    static bool is_held(client const& one)
+    {
+        return not one.out.empty() or (one.requests.is_rtu() and one.waiting > 0);
+    }
+    /// When a client has asked nothing for too long; nothing while it waits for an answer.
+    std::optional<serve_time> idle_ends(client const& one) const
+    {
+        return one.waiting > 0 ? std::nullopt : std::optional{one.heard + settings_.longest_idle};
+    }
     void note_end(serve_time now);
     void take_clients(listener& at, serve_time now);
     void take_readers(serve_time now);
@@ -106,6 +114,8 @@ private:
     void take_requests(client& one, serve_time now);
     void take(client& one, served_request request);
     void send(client& one, serve_time now);
+    /// A request that waited has its answer, or is to have none.
+    static void finish(client& one, serve_time now);
     void answer(client& one, served_request const& to, rtuwire::byte_view pdu);
     void serve(reader& one, short events);
     void refuse_old(serve_time now);
