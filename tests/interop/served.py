@@ -320,11 +320,13 @@ def value_of(unit, address):
 
 class PlainUnits(Line):
     """with PlainUnits(1, 2) as line: units that are no drives, on a line of their own, whose registers hold what `value_of` says. Every
-    frame is kept in `requests`. Behind `line.hold()` no answer leaves before `line.release_all()`."""
+    frame is kept in `requests`. Those of `mute` keep silent where they are asked who they are. Behind `line.hold()` no answer leaves before
+    `line.release_all()`."""
 
-    def __init__(self, *units, silent=(), delay=0, nameless=()):
+    def __init__(self, *units, silent=(), delay=0, nameless=(), mute=()):
         super().__init__()
         self.units, self.silent, self.delay, self.nameless = set(units), set(silent), delay, set(nameless)
+        self.mute = set(mute)
         self.requests, self.waiting = [], b""
         self.gate, self.is_held = threading.Semaphore(0), False
         self.before_answer = None
@@ -347,7 +349,7 @@ class PlainUnits(Line):
         requests, self.waiting = requests_in(self.waiting)
         for request in requests:
             self.requests.append(request)
-            if request[0] in self.silent or request[0] not in self.units:
+            if request[0] in self.silent or request[0] not in self.units or (request[1] == 43 and request[0] in self.mute):
                 continue
             if self.is_held:
                 self.gate.acquire()

@@ -354,6 +354,19 @@ def exchanged(check, program):
             check(not [each for each in line.asked(6) if each[2:4] == b"\x21\x35"], f"{way}: and no frame", line.asked(6))
 
 
+def mute(check, program):
+    """A unit that is silent to function 43 is asked who it is once, and costs one time-out."""
+    with PlainUnits(1, 2, mute=(1,)) as line, \
+            Served(program, line.name, "--units", "1-2", "--write", line=("--timeout", 0.3, "--retries", 1)) as served, Asker(served.number) as client:
+        free = bytes([6]) + struct.pack(">HH", FIRST, 5)
+        check(client.ask(1, free) == free, "what is elsewhere is written")
+        check(len([each for each in line.requests if each[1] == 43]) == 1, "it was asked once who it is", [each.hex() for each in line.requests])
+        check(client.ask(1, command(6)) == b"\x86\1", "and may be a drive")
+        before = len([each for each in line.requests if each[1] == 43])
+        check(client.ask(2, command(6)) == command(6), "the other one says that it is none")
+        check(len([each for each in line.requests[before:] if each[1] == 43 and each[0] == 2]) >= 1, "when it is asked")
+
+
 def carried(check, program):
     """A loopback that carries a frame for another unit."""
     with PlainUnits(1) as line, Served(program, line.name, "--units", "1", line=PATIENT) as served, Asker(served.number) as client:
@@ -377,7 +390,7 @@ def unknown(check, program):
 
 
 def gate(check, program):
-    for part in (read_only, broadcasts, writes, by_words, exchanged, carried, unknown):
+    for part in (read_only, broadcasts, writes, by_words, exchanged, mute, carried, unknown):
         part(check, program)
 
 

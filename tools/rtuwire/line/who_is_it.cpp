@@ -321,10 +321,10 @@ errc read_identity(open_line& line, unit_address unit, identity_words& who)
     }
 }
 
-identity_words who_is_it(open_line& line, unit_address unit)
+identity_words who_is_it(open_line& line, unit_address unit, std::optional<errc> asked)
 {
     identity_words who;
-    errc const outcome = read_identity(line, unit, who);
+    errc const outcome = asked ? *asked : read_identity(line, unit, who);
     if (status_of(outcome) == exit_status::port) {
         who.note = line.words_of_failure(outcome);
         who.outcome = exit_status::port;
@@ -491,12 +491,13 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
     return rules_of_no_drive(line, unit, who, allowed);
 }
 
-write_rules rules_of_whoever(open_line& line, named_unit const& unit, permissions const& allowed)
+write_rules rules_of_whoever(open_line& line, named_unit const& unit, permissions const& allowed,
+                             std::optional<errc> asked)
 {
     std::string const number = "unit " + std::to_string(unit.unit.byte());
     bool const is_said = not unit.drive.empty() and unit.drive != no_drive;
     drive_catalog const* const said = is_said ? &catalog_chosen(unit.drive) : nullptr;
-    identity_words const who = who_is_it(line, unit.unit);
+    identity_words const who = who_is_it(line, unit.unit, asked);
     if (who.outcome != exit_status::done and who.outcome != exit_status::differs and not who.has_answered) {
         throw ended{who.outcome, number + ": " + who.note};
     }

@@ -31,8 +31,8 @@ struct identity_words {
 rtuwire::errc read_identity(open_line& line, unit_address unit, identity_words& who);
 
 /// Asks for its identification; then, where that leaves several drives or none, reads registers that tell them apart.
-/// It writes nothing.
-identity_words who_is_it(open_line& line, unit_address unit);
+/// It writes nothing. `asked`: how that question ended just now, where it did without an identification; it is not asked again.
+identity_words who_is_it(open_line& line, unit_address unit, std::optional<rtuwire::errc> asked = std::nullopt);
 
 /// Whether a unit is known to be of another family than this drive, or calls itself a drive of a family without a table. False
 /// where nothing is known of it, and between revisions of one family, which somebody may know better.
@@ -75,8 +75,9 @@ struct write_rules {
 write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed);
 
 /// The same by what the unit tells of itself alone: of the table of the drive that it is, else as of one that was said to be
-/// none. A type that somebody said only keeps another from being taken for it.
-write_rules rules_of_whoever(open_line& line, named_unit const& unit, permissions const& allowed);
+/// none. A type that somebody said only keeps another from being taken for it. `asked`: as for `who_is_it`.
+write_rules rules_of_whoever(open_line& line, named_unit const& unit, permissions const& allowed,
+                             std::optional<rtuwire::errc> asked = std::nullopt);
 
 /// The catalog of that name; refuses others with the nearest.
 drive_catalog const& catalog_chosen(std::string const& name);

@@ -149,7 +149,9 @@ void served_line::forget_old(std::uint8_t unit, bool is_read)
     constexpr std::chrono::seconds longest_of_write{1};
     constexpr std::chrono::seconds longest_of_doubt{10};
     auto const now = steady_clock::now();
-    bool const is_in_doubt = not known->second.rules and now - known->second.asked >= longest_of_doubt;
+    auto const age = now - known->second.asked;
+    bool const is_in_doubt = (not known->second.rules and age >= longest_of_doubt) or
+                             (known->second.has_said_nothing and age >= longest_of_read);
     if (is_in_doubt or now - known->second.heard >= (is_read ? longest_of_read : longest_of_write)) {
         known_.erase(known);
     }
@@ -186,19 +188,19 @@ void served_line::broadcast(served_request const& request)
     clients_.finish(request);
 }
 
-errc served_line::look_for(named_unit const& unit)
+served_line::look served_line::look_for(named_unit const& unit)
 {
     using identity = rtuwire::read_device_identification;
     auto asked = line_->with(
         request_once<identity>{rtuwire::unit_id{unit.unit}, identity{rtuwire::identification_access::basic, 0}});
     errc const first = line_->run(asked).error();
     if (not has_gone_by_silence(first)) {
-        return first;
+        return {first};
     }
     using read = rtuwire::read_holding_registers;
     auto then = line_->with(
         request_once<read>{rtuwire::unit_id{unit.unit}, read{.start = all_catalogs().front()->layout.eta, .count = 1}});
-    return line_->run(then).error();
+    return {line_->run(then).error(), first};
 }
 
 bool served_line::identify(served_request const& request, named_unit const& unit)
@@ -207,7 +209,7 @@ bool served_line::identify(served_request const& request, named_unit const& unit
     if (known_.count(number) > 0) {
         return true;
     }
-    errc const there = look_for(unit);
+    auto const [there, silence] = look_for(unit);
     if (status_of(there) == exit_status::port) {
         lose(line_->words_of_failure(there));
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
@@ -219,13 +221,15 @@ bool served_line::identify(served_request const& request, named_unit const& unit
         return false;
     }
     known_unit found;
-    auto const why = ended_by([&] { found.rules = rules_of_whoever(*line_, unit, chosen_.allowed); });
+    auto const why =
+        ended_by([&, asked = silence] { found.rules = rules_of_whoever(*line_, unit, chosen_.allowed, asked); });
     if (why and why->status == exit_status::port) {
         lose(why->what());
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
         return false;
     }
     found.why = why ? why->what() : "";
+    found.has_said_nothing = silence.has_value();
     found.asked = found.heard = steady_clock::now();
     known_.emplace(number, found);
     return true;

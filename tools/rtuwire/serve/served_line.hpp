@@ -36,6 +36,7 @@ private:
     struct known_unit {
         std::optional<write_rules> rules{}; ///< nothing: it may be a drive, which one is not known
         std::string why{};                  ///< nothing is written there then
+        bool has_said_nothing{false};       ///< to function 43, which may have been lost
         serve_time asked{};                 ///< who it is
         serve_time heard{};                 ///< last
 
@@ -43,7 +44,7 @@ private:
     };
 
     /// Forgets who a unit is where that may be another by now: for a write behind 1 s without an answer of it, for a read
-    /// behind 60 s; and where it could not say who it is, behind 10 s.
+    /// behind 60 s; and where it could not say who it is, behind 10 s, or 60 s where its registers tell what it may be.
     void forget_old(std::uint8_t unit, bool is_read);
     /// Whether a read carries no frame for another unit; where it does, it is answered.
     bool holds_no_frame(served_request const& request);
@@ -53,8 +54,13 @@ private:
     void broadcast(served_request const& request);
     /// Whether its unit is known now; where not, the request is answered.
     bool identify(served_request const& request, named_unit const& unit);
-    /// Whether a unit answers at all, by two requests at most, each sent once: one that is off costs no more.
-    rtuwire::errc look_for(named_unit const& unit);
+    /// Whether a unit answers at all, and what it made of the question who it is.
+    struct look {
+        rtuwire::errc outcome;
+        std::optional<rtuwire::errc> silence{}; ///< where that question had none: how it ended
+    };
+    /// By two requests at most, each sent once: a unit that is off costs no more.
+    look look_for(named_unit const& unit);
     /// Whether it may go to a unit that is known; where not, it is answered.
     bool may_be_written(served_request const& request, named_unit const& unit);
     void forward(served_request const& request, named_unit const& unit);
