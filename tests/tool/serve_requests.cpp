@@ -295,3 +295,58 @@ TEST_CASE("serve: figures are text as Prometheus reads it")
         CHECK(("\n" + text).find("\n" + line + "\n") != std::string::npos);
     }
 }
+
+TEST_CASE(
+    "serve: a client of the other protocol is known by its bytes, in pieces of any size, and no client of this one is")
+{
+    struct speech {
+        client_protocol port;
+        numbers bytes;
+        bool is_other;
+    };
+    numbers const read{1, 3, 3, 0xE8, 0, 10};
+    numbers const read_at_0{1, 3, 0, 0, 0, 10}; // protocol 0, and a length: a part of a message
+    numbers const two_at_0{1, 3, 0, 0, 0, 2};   // as long as a message of two bytes
+    numbers const write{1, 16, 3, 0xE8, 0, 2, 4, 0, 1, 0, 2};
+    auto const twice = [](numbers bytes) {
+        numbers const once = bytes;
+        bytes.insert(bytes.end(), once.begin(), once.end());
+        return bytes;
+    };
+    std::vector<speech> const all{
+        {client_protocol::mbap, frame(read), true},
+        {client_protocol::mbap, twice(frame(read)), true},
+        {client_protocol::mbap, frame(read_at_0), true},
+        {client_protocol::mbap, twice(frame(read_at_0)), true},
+        {client_protocol::mbap, frame(two_at_0), true},
+        {client_protocol::mbap, frame(write), true},
+        {client_protocol::mbap, message(0x0103, read), false},
+        {client_protocol::mbap, twice(message(0x0103, read_at_0)), false},
+        {client_protocol::mbap, {'G', 'E', 'T', ' ', '/', ' ', 'H', 'T', 'T', 'P'}, false},
+        {client_protocol::rtu, message(1, read), true},
+        {client_protocol::rtu, message(0x0103, read_at_0), true},
+        {client_protocol::rtu, twice(message(1, write)), true},
+        {client_protocol::rtu, frame(read), false},
+        {client_protocol::rtu, twice(frame(read_at_0)), false},
+        {client_protocol::rtu, {'G', 'E', 'T', ' ', '/', ' ', 'H', 'T', 'T', 'P'}, false},
+        {client_protocol::rtu, {1, 3, 3, 0xE8, 0, 10, 0, 0}, false},
+    };
+    for (speech const& each : all) {
+        for (std::size_t const piece : {std::size_t{1}, std::size_t{7}, std::size_t{512}}) {
+            CAPTURE(static_cast<int>(each.port), each.bytes, piece);
+            client_requests from{each.port};
+            serve_time now = begin;
+            for (std::size_t at = 0; at < each.bytes.size(); at += piece) {
+                std::size_t const count = std::min(piece, each.bytes.size() - at);
+                REQUIRE(put(from, each.bytes, at, count, now));
+                while (from.take(now)) {
+                }
+                now += 1ms;
+            }
+            now += client_requests::silence;
+            while (from.take(now)) {
+            }
+            CHECK(from.is_other_protocol() == each.is_other);
+        }
+    }
+}

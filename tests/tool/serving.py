@@ -592,6 +592,40 @@ def no_modbus(check, program):
         check(is_right(1, FIRST, 1, client.read(1, FIRST)) and line.reads() == [(1, FIRST)], "and nothing of it reaches the unit", line.requests)
 
 
+def other_protocol(check, program):
+    """A client that is set up for the other port is told so, once for each connection."""
+    def told(served, word):
+        return [each for each in served.events() if each["event"] == "refused" and each["kind"] == "protocol" and word in each["text"]]
+    with PlainUnits(1) as line, \
+            Served(program, line.name, "--listen", "mbap://127.0.0.1:0", "--listen", "tcp://127.0.0.1:0", "--units", "1", "--json", *METRICS,
+                   line=PATIENT) as served:
+        mbap, rtu = served.number, served.ports["tcp"][0]
+        with Asker(mbap) as client:
+            client.socket.sendall(with_crc(b"\1" + read_of(FIRST)))
+            check(client.has_ended(), "RTU frames at the port of Modbus TCP: the connection is closed")
+        check(soon(lambda: told(served, "sends RTU frames")), "and it is said what it sends", served.events())
+        check(len(told(served, f"tcp://127.0.0.1:{rtu}")) == 1, "and where that is taken", served.events())
+        with RtuAsker(rtu) as client:
+            for i in range(3):
+                client.socket.sendall(message(i, 1, read_of(FIRST)))
+                check(soon(lambda n=i: served.metrics().total("rtuwire_serve_refused_total", why="damaged") > n, 20), "Modbus TCP at the port of RTU frames")
+            check(is_right(1, FIRST, 1, client.read(1, FIRST)), "which stays open")
+        check(len(told(served, "sends Modbus TCP")) == 1 and told(served, "sends Modbus TCP")[0]["text"].endswith(f"mbap://127.0.0.1:{mbap}"),
+              "is said once, with where that is taken", served.events())
+        check(served.metrics().total("rtuwire_serve_refused_total", why="protocol") == 2, "both are counted", served.metrics().text)
+        said = [each for each in served.lines["stderr"] if " sends " in each]
+        check(len(said) == 2, "and in words", served.lines["stderr"])
+    # The line's own port.
+    with PlainUnits(1) as line, Served(program, line.name, "--listen", "mbap://127.0.0.1:0", "--listen", "tcp://127.0.0.1:0", "--units", "1",
+                                       line=PATIENT) as upstream:
+        for port, right in ((f"tcp://127.0.0.1:{upstream.number}", "mbap://127.0.0.1"), (f"mbap://127.0.0.1:{upstream.ports['tcp'][0]}", "tcp://127.0.0.1")):
+            with Served(program, port, "--units", "1", "--json", line=SHORT) as served, Asker(served.number) as client:
+                check(client.ask(1, read_of(FIRST)) == bytes([0x83, SILENT]), f"{port}: of the other protocol")
+                check(soon(lambda: [each for each in served.events() if each["event"] in ("silent", "port_lost") and right in each["text"]], 20),
+                      "is said, with the word for it", served.events())
+                check(soon(lambda: [each for each in served.lines["stderr"] if right in each], 20), "to people as well", served.lines["stderr"])
+
+
 def at_once(check, program, parts):
     """Side by side: they wait."""
     failed = []
@@ -610,7 +644,7 @@ def at_once(check, program, parts):
 
 
 def limits(check, program):
-    at_once(check, program, (too_many, full_queue, too_old, in_order, in_order_behind_full, idle, halves, no_modbus))
+    at_once(check, program, (too_many, full_queue, too_old, in_order, in_order_behind_full, idle, halves, no_modbus, other_protocol))
 
 
 # The port, the figures, the end.

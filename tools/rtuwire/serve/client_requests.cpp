@@ -19,6 +19,37 @@ served_request request_in(std::uint16_t number, rtuwire::byte_view unit_and_pdu,
             .came = now};
 }
 
+/// Whether they are requests as RTU frames, one behind the other to the end.
+bool are_frames(rtuwire::byte_view bytes)
+{
+    while (not bytes.empty()) {
+        std::size_t const size = frame_at_begin(bytes, rtuwire::frame_role::request);
+        if (size == 0) {
+            return false;
+        }
+        bytes = bytes.subspan(size);
+    }
+    return true;
+}
+
+/// Whether they begin with a message of Modbus TCP, and go on with others.
+bool begin_with_messages(rtuwire::byte_view bytes)
+{
+    rtuwire::mbap_cutter messages;
+    bool has_whole = false;
+    while (not bytes.empty() and messages.fault() == rtuwire::mbap_fault::none) {
+        rtuwire::byte_span const room = messages.room();
+        std::size_t const count = std::min(room.size(), bytes.size());
+        std::copy_n(bytes.begin(), count, room.begin());
+        messages.add(count);
+        bytes = bytes.subspan(count);
+        for (; messages.first(); messages.drop_first()) {
+            has_whole = true;
+        }
+    }
+    return has_whole and messages.fault() == rtuwire::mbap_fault::none;
+}
+
 } // namespace
 
 rtuwire::byte_span client_requests::room()
@@ -32,6 +63,8 @@ void client_requests::add(std::size_t count, serve_time now)
         size_ += count;
     } else {
         messages_.add(count);
+        begins_as_frame_ = begins_as_frame_ or
+                           (not has_taken_ and frame_at_begin(messages_.bytes(), rtuwire::frame_role::request) > 0);
     }
     latest_ = now;
     begun_ = begun_ ? begun_ : std::optional{now};
@@ -41,6 +74,8 @@ std::optional<served_request> client_requests::take(serve_time now)
 {
     auto const request = is_rtu_ ? take_frame(now) : take_message(now);
     bool const has_rest = is_rtu_ ? size_ > 0 : not messages_.bytes().empty();
+    has_taken_ = has_taken_ or request;
+    is_other_ = is_other_ or (begins_as_frame_ and not has_taken_);
     if (request) {
         begun_ = has_rest ? std::optional{now} : std::nullopt;
     } else if (not has_rest and not is_rtu_) {
@@ -56,6 +91,8 @@ std::optional<served_request> client_requests::take_message(serve_time now)
         return std::nullopt;
     }
     served_request request = request_in(message->number, message->body, now);
+    constexpr std::size_t header_size = 6;
+    is_other_ = is_other_ or are_frames(messages_.bytes().first(header_size + message->body.size()));
     messages_.drop_first();
     return request;
 }
@@ -71,6 +108,7 @@ std::optional<served_request> client_requests::take_frame(serve_time now)
                               rtuwire::crc16(rtuwire::byte_view{bytes_}.first(size_)) == 0;
         size = is_frame ? size_ : 0;
         if (not is_frame) {
+            is_other_ = is_other_ or begin_with_messages(rest());
             dropped_ += size_;
             drop(size_);
         }
@@ -91,6 +129,11 @@ void client_requests::drop(std::size_t count)
 }
 
 bool client_requests::is_broken() const { return not is_rtu_ and messages_.fault() != rtuwire::mbap_fault::none; }
+
+rtuwire::byte_view client_requests::rest() const
+{
+    return is_rtu_ ? rtuwire::byte_view{bytes_}.first(size_) : messages_.bytes();
+}
 
 std::size_t client_requests::take_dropped() { return std::exchange(dropped_, 0); }
 

@@ -45,6 +45,12 @@ public:
     /// Whether what came is none of its protocol: no request is found behind it.
     [[nodiscard]] bool is_broken() const;
 
+    /// Whether what came is the other of both protocols: a client that is set up for that one, which is told what to set.
+    [[nodiscard]] bool is_other_protocol() const { return is_other_; }
+
+    /// What came and is no whole request.
+    [[nodiscard]] rtuwire::byte_view rest() const;
+
     /// Bytes that were no frame, and were dropped, since the last call.
     [[nodiscard]] std::size_t take_dropped();
 
@@ -66,6 +72,9 @@ private:
     std::array<std::byte, 2 * rtuwire::max_adu_size> bytes_{};
     std::size_t size_{0};
     std::size_t dropped_{0};
+    bool begins_as_frame_{false}; ///< of Modbus TCP: by chance, where a message is whole all the same
+    bool has_taken_{false};       ///< a request
+    bool is_other_{false};
     serve_time latest_{};               ///< when bytes came
     std::optional<serve_time> begun_{}; ///< when the first byte came of what is no whole request yet
 };

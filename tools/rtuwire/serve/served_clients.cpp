@@ -10,6 +10,7 @@
 #include <sys/socket.h>
 
 #include "exit_status.hpp"
+#include "frame/hex_text.hpp"
 #include "line/end_wish.hpp"
 #include "serve/metrics_page.hpp"
 #include "words/time_words.hpp"
@@ -329,14 +330,37 @@ void served_clients::take_requests(client& one, serve_time when)
         }
         take(one, std::move(*request));
     }
+    if (one.requests.is_other_protocol() and not one.is_of_other_protocol) {
+        one.is_of_other_protocol = true;
+        note_refused("protocol", nullptr, words_of_other_protocol(one), one.line.device(),
+                     host_of(one.line.device()) + (one.requests.is_rtu() ? " mbap" : " rtu"));
+    }
     if (one.gone.empty() and one.requests.is_broken()) {
-        one.gone = "what it sent is no Modbus TCP";
-        note_refused("protocol", nullptr, one.line.device() + " was hung up on: " + one.gone, one.line.device());
+        constexpr std::size_t most = 24;
+        rtuwire::byte_view const rest = one.requests.rest();
+        one.gone = "what it sent is no Modbus TCP: " + hex_of(rest.first(std::min(rest.size(), most)));
+        if (not one.is_of_other_protocol) {
+            note_refused("protocol", nullptr, one.line.device() + " was hung up on: " + one.gone, one.line.device());
+        }
     }
     if (std::size_t const dropped = one.requests.take_dropped(); dropped > 0) {
         note_refused("damaged", nullptr, std::to_string(dropped) + " bytes of " + one.line.device() + " were no frame",
                      one.line.device());
     }
+}
+
+std::string served_clients::words_of_other_protocol(client const& one) const
+{
+    auto const place_of = [this](client_protocol which) {
+        auto const found = std::ranges::find(listeners_, which, &listener::protocol);
+        return std::string{name_of(which)} + "://" +
+               (found != listeners_.end() ? found->socket.device() : std::string{"ADDRESS:PORT"});
+    };
+    bool const is_rtu = one.requests.is_rtu();
+    std::string const other = place_of(is_rtu ? client_protocol::mbap : client_protocol::rtu);
+    return one.line.device() + (is_rtu ? " sends Modbus TCP" : " sends RTU frames") + " to " +
+           place_of(is_rtu ? client_protocol::rtu : client_protocol::mbap) + ", which takes " +
+           (is_rtu ? "RTU frames over TCP" : "Modbus TCP") + "; what it sends is for --listen " + other;
 }
 
 void served_clients::take(client& one, served_request request)
@@ -440,7 +464,7 @@ void served_clients::hang_up()
 }
 
 void served_clients::note_refused(std::string const& kind, served_request const* request, std::string const& why,
-                                  std::string const& from)
+                                  std::string const& from, std::string const& news)
 {
     counts_.note_refused(kind);
     if (auto const at = now(); at - noted_since_ >= std::chrono::seconds{1}) {
@@ -455,8 +479,8 @@ void served_clients::note_refused(std::string const& kind, served_request const*
         more.add("unit", std::uint64_t{request->unit});
         more.add("function", std::to_integer<std::uint64_t>(request->pdu[0]));
     }
-    bool const is_news =
-        told_.size() < most_told and told_.insert(request != nullptr and request->unit != 0 ? why : kind).second;
+    std::string const key = not news.empty() ? news : request != nullptr and request->unit != 0 ? why : kind;
+    bool const is_news = told_.size() < most_told and told_.insert(key).second;
     is_news ? events_.tell("refused", more, why) : events_.note("refused", more, why);
 }
 

@@ -84,7 +84,8 @@ private:
         std::optional<serve_time> out_since{}; ///< when it took none of it
         std::size_t waiting{0};                ///< requests that have no answer yet
         bool is_behind{false}; ///< a request was answered 06, and its client may have sent the next before it knew
-        std::string gone{};    ///< why it is hung up on
+        bool is_of_other_protocol{false}; ///< which was said
+        std::string gone{};               ///< why it is hung up on
     };
     struct reader {
         rtuwire::tcp_stream line;
@@ -112,6 +113,7 @@ private:
     void take_readers(serve_time now);
     void serve(client& one, short events, serve_time now);
     void take_requests(client& one, serve_time now);
+    std::string words_of_other_protocol(client const& one) const;
     void take(client& one, served_request request);
     void send(client& one, serve_time now);
     /// A request that waited has its answer, or is to have none.
@@ -120,8 +122,9 @@ private:
     void serve(reader& one, short events);
     void refuse_old(serve_time now);
     void hang_up();
+    /// In words where `news` is new; without that the reason, or the kind where no request of one unit is refused.
     void note_refused(std::string const& kind, served_request const* request, std::string const& why,
-                      std::string const& from);
+                      std::string const& from, std::string const& news = {});
     client* find(std::uint64_t number);
 
     serve_settings const& settings_;
