@@ -3,9 +3,11 @@
 """`rtuwire serve` as a process, its clients by plain sockets, units behind it that keep what reaches them, and its figures."""
 import collections
 import json
+import os
 import re
 import socket
 import subprocess
+import tempfile
 import threading
 import time
 
@@ -26,6 +28,9 @@ class Served:
             words += ["--listen", "mbap://127.0.0.1:0"]
         self.wanted = words.count("--listen") + words.count("--metrics") if listens is None else listens
         self.lines, self.changed = {"stdout": [], "stderr": []}, threading.Condition()
+        # What it keeps is in a folder of its own, unless `how` says where.
+        self.folder = tempfile.TemporaryDirectory(prefix="served-")
+        how.setdefault("env", {**os.environ, "XDG_STATE_HOME": self.folder.name})
         self.process = subprocess.Popen(
             [program, "--port", port, *map(str, line), "serve", *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, text=True, **how)
@@ -61,6 +66,15 @@ class Served:
         self.process.wait()
         for each in self.readers:
             each.join()
+        self.folder.cleanup()
+
+    def noted(self):
+        """The rows of its writes.log: time, user, port, unit, register, before, after."""
+        try:
+            with open(os.path.join(self.folder.name, "rtuwire", "writes.log"), encoding="utf-8") as rows:
+                return [row.rstrip("\n").split("\t") for row in rows]
+        except FileNotFoundError:
+            return []
 
     @property
     def number(self):

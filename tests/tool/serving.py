@@ -367,6 +367,42 @@ def mute(check, program):
         check(len([each for each in line.requests[before:] if each[1] == 43 and each[0] == 2]) >= 1, "when it is asked")
 
 
+def noted(check, program):
+    """Each write is a row of writes.log, with who sent it; what cannot be noted is not written."""
+    with PlainUnits(1, silent=(2,)) as line, \
+            Served(program, line.name, "--units", "1-3", "--write", "--allow-broadcast", line=SHORT) as served, Asker(served.number) as client:
+        client.read(1, FIRST)
+        client.ask(1, command(6))  # of what says that it is a meter
+        client.ask(1, bytes([16]) + struct.pack(">HHB2H", FIRST, 2, 4, 5, 6))
+        client.ask(1, bytes([21]) + bytes.fromhex(WRITES[21]))
+        client.ask(1, bytes([6]) + struct.pack(">HHH", FIRST, 1, 1))  # refused
+        client.ask(3, command(6))  # nobody there
+        client.send(0, bytes.fromhex("0603e80001"))
+        client.read(1, FIRST)
+        me = "127.0.0.1:" + str(client.socket.getsockname()[1])
+        rows = served.noted()
+        check([each[2:5] for each in rows] == [[line.name, unit, what] for unit, what in (
+            ("1", "8501"), ("1", str(FIRST)), ("1", str(FIRST + 1)), ("1", "serve 15 09 06 00 01 00 00 00 01 00 01"), ("0", "serve 06 03 E8 00 01"))],
+            "each value that was sent is a row, and what was refused none", rows)
+        check(all(each[6].endswith(f"sent by {me}") or f"sent by {me}: " in each[6] for each in rows) and rows[0][6].startswith("6 was sent by"),
+              "with who sent it", rows)
+        check("exception 01" in rows[3][6] or "illegal function" in rows[3][6], "and what the unit answered, where it refused", rows)
+        # Where nothing can be noted, nothing is written.
+        log = os.path.join(served.folder.name, "rtuwire", "writes.log")
+        os.remove(log)
+        os.mkdir(log)
+        before = len(line.requests)
+        check(client.ask(1, command(7)) == b"\x86\4", "04 where nothing can be noted")
+        check(not [each for each in line.requests[before:] if each[1] == 6], "and nothing on the line", line.requests[before:])
+        check(soon(lambda: [each for each in served.lines["stderr"] if "writes.log" in each], 20), "that is told", served.lines["stderr"])
+    with PlainUnits(1) as line, Tool(program) as tool:
+        (tool.place / "state" / "rtuwire" / "writes.log").mkdir(parents=True)
+        ended = tool.run("serve", "--units", "1", "--write", "--listen", "mbap://127.0.0.1:0", "--for", "0.1s", port=line.name)
+        check(ended.status == PORT and "writes.log" in ended.errors, "nor does it begin", ended)
+        ended = tool.run("serve", "--units", "1", "--listen", "mbap://127.0.0.1:0", "--for", "0.1s", port=line.name)
+        check(ended.status == DONE, "without --write it does", ended)
+
+
 def carried(check, program):
     """A loopback that carries a frame for another unit."""
     with PlainUnits(1) as line, Served(program, line.name, "--units", "1", line=PATIENT) as served, Asker(served.number) as client:
@@ -390,7 +426,7 @@ def unknown(check, program):
 
 
 def gate(check, program):
-    for part in (read_only, broadcasts, writes, by_words, exchanged, mute, carried, unknown):
+    for part in (read_only, broadcasts, writes, by_words, exchanged, mute, noted, carried, unknown):
         part(check, program)
 
 

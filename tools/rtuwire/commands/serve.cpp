@@ -8,6 +8,7 @@
 
 #include "../support/say.hpp"
 #include "commands/commands.hpp"
+#include "line/write_log.hpp"
 #include "output/passing_text.hpp"
 #include "serve/serve_settings.hpp"
 #include "serve/served_clients.hpp"
@@ -47,6 +48,9 @@ exit_status run_serve(choices const& chosen)
     serve_events const events{chosen.form};
     served_clients clients{settings, counts, events,
                            std::chrono::duration_cast<std::chrono::microseconds>(response_time)};
+    if (settings.gate.may_write) {
+        refuse_wrong_log();
+    }
     clients.listen();
     served_line line{chosen, settings, clients, counts, events};
     tell_what_is_served(chosen, settings);

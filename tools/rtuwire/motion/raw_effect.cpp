@@ -304,8 +304,8 @@ std::vector<value_to_write> checked_request(byte_view pdu, open_line& line, name
     return values;
 }
 
-void refuse_for_client(byte_view pdu, open_line& line, named_unit const& unit, write_rules const& rules,
-                       choices const& chosen)
+std::vector<value_to_write> refuse_for_client(byte_view pdu, open_line& line, named_unit const& unit,
+                                              write_rules const& rules, choices const& chosen)
 {
     refuse_unreadable(pdu);
     bool const is_known = rules.drive != nullptr or rules.says_it_is_none;
@@ -313,16 +313,15 @@ void refuse_for_client(byte_view pdu, open_line& line, named_unit const& unit, w
         refuse_what_runs_drives(pdu);
     }
     bool const writes_places = place_writes.contains(code_of(pdu));
-    std::vector<value_to_write> const values = writes_places ? checked_places(pdu, line, unit, rules, chosen)
-                                                             : checked_request(pdu, line, unit, rules, chosen);
+    std::vector<value_to_write> values = writes_places ? checked_places(pdu, line, unit, rules, chosen)
+                                                       : checked_request(pdu, line, unit, rules, chosen);
     if (rules.drive == nullptr) {
         refuse_frame_within(frame_of(std::byte{unit.unit.byte()}, pdu),
                             writes_places ? functions_within::public_ones : functions_within::any);
-        return;
-    }
-    if (std::optional<ended> const why = why_not_now(values, line, unit.unit, *rules.drive, chosen.allowed)) {
+    } else if (std::optional<ended> const why = why_not_now(values, line, unit.unit, *rules.drive, chosen.allowed)) {
         throw ended{*why};
     }
+    return values;
 }
 
 void refuse_broadcast(byte_view pdu, choices const& chosen)

@@ -49,9 +49,9 @@ std::vector<value_to_write> checked_request(rtuwire::byte_view pdu, open_line& l
 /// Ends the command where this unit may not be sent this request, which is as the specification has it, for a client that sends
 /// what it likes: registers and coils by the rules of `write`, all else by those of `ask`. What is not known to be another device
 /// gets none of the addresses by which a drive is run, or is told who runs it. Asks the unit where that depends on it, so this is
-/// asked before each.
-void refuse_for_client(rtuwire::byte_view pdu, open_line& line, named_unit const& unit, write_rules const& rules,
-                       choices const& chosen);
+/// asked before each. The values that it writes, where these are registers or coils.
+std::vector<value_to_write> refuse_for_client(rtuwire::byte_view pdu, open_line& line, named_unit const& unit,
+                                              write_rules const& rules, choices const& chosen);
 
 /// The same of a request to all units, of which nobody knows who they are.
 void refuse_broadcast(rtuwire::byte_view pdu, choices const& chosen);

@@ -138,8 +138,13 @@ void served_clients::refuse(served_request const& to, errc exception) { answer(t
 
 void served_clients::note_refused(std::string const& kind, served_request const& request, std::string const& why)
 {
+    note_refused(kind, &request, why, client_of(request));
+}
+
+std::string served_clients::client_of(served_request const& request)
+{
     client const* const one = find(request.client);
-    note_refused(kind, &request, why, one != nullptr ? one->line.device() : "a client that has left");
+    return one != nullptr ? one->line.device() : "a client that has left";
 }
 
 void served_clients::finish(served_request const& request)

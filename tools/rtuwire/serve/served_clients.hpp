@@ -60,6 +60,8 @@ public:
     [[nodiscard]] bool is_ending() const { return ends_at_.has_value(); }
 
     [[nodiscard]] std::optional<served_request> take();
+    /// Who sent it, by its address.
+    [[nodiscard]] std::string client_of(served_request const& request);
     void answer(served_request const& to, rtuwire::byte_view pdu);
     void refuse(served_request const& to, rtuwire::errc exception);
     /// It was refused behind its queue.

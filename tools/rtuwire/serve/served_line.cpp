@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "frame/frame_fit.hpp"
+#include "frame/hex_text.hpp"
 #include "line/line_words.hpp"
 #include "line/raw_request.hpp"
+#include "line/reading.hpp"
+#include "line/write_log.hpp"
 #include "motion/raw_effect.hpp"
 
 namespace tool {
@@ -134,8 +137,13 @@ void served_line::handle(served_request const& request)
         clients_.refuse(request, errc::gateway_path_unavailable);
         return;
     }
-    if (is_read ? holds_no_frame(request) : may_be_written(request, who)) {
-        forward(request, who);
+    if (is_read) {
+        if (holds_no_frame(request)) {
+            forward(request, who);
+        }
+    } else if (auto const values = judge_write(request, who)) {
+        std::string const sender = clients_.client_of(request);
+        note_write(request, *values, sender, forward(request, who));
     }
 }
 
@@ -180,8 +188,12 @@ void served_line::broadcast(served_request const& request)
         refuse_as(request, errc::illegal_function, "unsafe", why->what());
         return;
     }
+    if (not can_be_noted(request, 1)) {
+        return;
+    }
     auto conversation = line_->with(sent_once{rtuwire::broadcast, raw_request{raw_in(request)}});
     errc const outcome = line_->run(conversation).error();
+    note_write(request, {}, clients_.client_of(request), outcome == errc::none ? "" : line_->words_of_failure(outcome));
     if (status_of(outcome) == exit_status::port) {
         lose(line_->words_of_failure(outcome));
     }
@@ -235,36 +247,65 @@ bool served_line::identify(served_request const& request, named_unit const& unit
     return true;
 }
 
-bool served_line::may_be_written(served_request const& request, named_unit const& unit)
+std::optional<std::vector<value_to_write>> served_line::judge_write(served_request const& request,
+                                                                    named_unit const& unit)
 {
     known_unit const& found = known_.at(request.unit);
     if (not found.rules) {
         refuse_as(request, errc::illegal_function, "unsafe", found.why);
-        return false;
+        return std::nullopt;
     }
     choices judged = chosen_;
     judged.allowed.knows_run = false;
     judged.line.typed.unit = " -u " + std::to_string(request.unit); // of a command that a message shows
-    auto const why = ended_by([&] { refuse_for_client(request.pdu, *line_, unit, *found.rules, judged); });
+    std::vector<value_to_write> values;
+    auto const why = ended_by([&] { values = refuse_for_client(request.pdu, *line_, unit, *found.rules, judged); });
     if (why and why->status == exit_status::port) {
         lose(why->what());
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
-        return false;
-    }
-    if (why and why->status == exit_status::no_answer) {
+    } else if (why and why->status == exit_status::no_answer) {
         note_outcome(request.unit, false);
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
-        return false;
-    }
-    if (why) {
+    } else if (why) {
         std::string const text = why->what();
         std::string const number = number_of(request.unit);
         refuse_as(request, errc::illegal_function, "unsafe", text.starts_with(number) ? text : number + ": " + text);
     }
-    return not why;
+    bool const may_go = not why and can_be_noted(request, std::max<std::size_t>(values.size(), 1));
+    return may_go ? std::optional{std::move(values)} : std::nullopt;
 }
 
-void served_line::forward(served_request const& request, named_unit const& unit)
+bool served_line::can_be_noted(served_request const& request, std::size_t rows)
+{
+    std::string const why = why_nothing_can_be_noted(rows);
+    if (not why.empty()) {
+        refuse_as(request, errc::server_device_failure, "log",
+                  "nothing is written, because nothing could be noted: " + why);
+    }
+    return why.empty();
+}
+
+void served_line::note_write(served_request const& request, std::vector<value_to_write> const& values,
+                             std::string const& sender, std::string const& outcome)
+{
+    std::string const how = "sent by " + sender + (outcome.empty() ? "" : ": " + outcome);
+    std::string missed;
+    for (value_to_write const& each : values) {
+        missed = missed.empty() ? log_write({chosen_.line.port, request.unit, label_of({each.where, each.entry}),
+                                             "unknown", each.text + " was " + how})
+                                : missed;
+    }
+    if (values.empty()) {
+        missed = log_write({chosen_.line.port, request.unit, "serve " + hex_of(request.pdu), "unknown", how});
+    }
+    if (not missed.empty()) {
+        events_.tell("not_noted", {{"unit", std::uint64_t{request.unit}}, {"client", sender}},
+                     number_of(request.unit) + ": " + hex_of(request.pdu) + " was " + how +
+                         "; not noted in writes.log: " + missed);
+    }
+}
+
+std::string served_line::forward(served_request const& request, named_unit const& unit)
 {
     std::vector<std::byte> response;
     auto const began = steady_clock::now();
@@ -284,10 +325,12 @@ void served_line::forward(served_request const& request, named_unit const& unit)
     if (is_response) {
         counts_.note_round_trip(request.unit, steady_clock::now() - began);
     }
+    errc const flaw = why == errc::none ? flaw_of_response(request.pdu, response) : why;
+    std::string const outcome = flaw == errc::none ? "" : line_->words_of_failure(flaw);
     if (status_of(why) == exit_status::port) {
-        lose(line_->words_of_failure(why));
+        lose(outcome);
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
-        return;
+        return outcome;
     }
     note_outcome(request.unit, not has_gone_by_silence(why));
     bool const was_repeated = line_->exchange().sent() - sent > 1;
@@ -295,13 +338,14 @@ void served_line::forward(served_request const& request, named_unit const& unit)
     if (was_repeated or says_who) {
         known_.erase(request.unit); // another may be there already
     }
-    if (why == errc::none and flaw_of_response(request.pdu, response) == errc::none) {
+    if (flaw == errc::none) {
         clients_.answer(request, response);
     } else if (rtuwire::is_exception(why) and why != errc::unlisted_exception) {
         clients_.refuse(request, why);
     } else {
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
     }
+    return outcome;
 }
 
 void served_line::note_outcome(std::uint8_t unit, bool has_responded)

@@ -10,12 +10,14 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "choices.hpp"
 #include "line/open_line.hpp"
 #include "line/who_is_it.hpp"
 #include "serve/served_clients.hpp"
 #include "serve/silent_units.hpp"
+#include "words/value_words.hpp"
 
 namespace tool {
 
@@ -61,9 +63,15 @@ private:
     };
     /// By two requests at most, each sent once: a unit that is off costs no more.
     look look_for(named_unit const& unit);
-    /// Whether it may go to a unit that is known; where not, it is answered.
-    bool may_be_written(served_request const& request, named_unit const& unit);
-    void forward(served_request const& request, named_unit const& unit);
+    /// The values of a write that may go to a unit that is known, and is noted; where it may not, it is answered.
+    std::optional<std::vector<value_to_write>> judge_write(served_request const& request, named_unit const& unit);
+    /// Asks the unit, and answers the client. How it ended, where that is not by a response.
+    std::string forward(served_request const& request, named_unit const& unit);
+    /// Whether a write can be noted in writes.log; where it cannot, it is answered.
+    bool can_be_noted(served_request const& request, std::size_t rows);
+    /// `sender`: who may have left since.
+    void note_write(served_request const& request, std::vector<value_to_write> const& values, std::string const& sender,
+                    std::string const& outcome);
     void note_outcome(std::uint8_t unit, bool has_responded);
     void refuse_as(served_request const& request, rtuwire::errc exception, std::string const& kind,
                    std::string const& why);
