@@ -1155,8 +1155,102 @@ def as_write_does(check, program):
         check(not [each for each in line.frames()[before:] if each[1] in (6, 16, 22, 23)], "nothing of these is on the line", line.frames()[before:])
 
 
+COMMAND = {"atv28": 400}  # all others have it at 8501
+
+
+def runs_at(simulator, unit, drive, hertz=30):
+    """Another master runs it, on its own line."""
+    at = Registers(drive)
+    if drive != "atv28":
+        simulator.suffer(f"{unit} write {at.tto} 300")
+    simulator.suffer(f"{unit} write {at.acc} 1")
+    for word in (0x80, 6, 7, 15):
+        simulator.suffer(f"{unit} write {at.cmd} {word}")
+    simulator.suffer(f"{unit} write {at.lfr} {hertz * 10}")
+    return soon(lambda: simulator.shown(unit)[1] == hertz)
+
+
+def stopped(check, program, drive, words):
+    """`stop` as a client: whoever may write may stop a motor."""
+    simulator = Simulator(program, f"{drive}:7")
+    with simulator as device, Tap(device) as line, Tool(program) as tool, \
+            Served(program, line.name, "--units", "7", "--write", line=("--timeout", 1, "--retries", 0)) as served:
+        check(runs_at(simulator, 7, drive), f"{drive}: another master runs it", simulator.shown(7))
+        ended = tool.run("-u", 7, "stop", *words, port=f"mbap://127.0.0.1:{served.number}")
+        check(ended.status == DONE and simulator.shown(7)[1] == 0, f"{drive}: stop {' '.join(words)} through serve", (ended, simulator.shown(7)))
+        sent = {int.from_bytes(each[4:6], "big") for each in line.frames()
+                if each[1] == 6 and int.from_bytes(each[2:4], "big") == COMMAND.get(drive, 8501)}
+        check(sent and sent <= {0, 2, 7}, "by words that stop", sent)
+        check(("--quick" in words and 2 in sent) or ("--freewheel" in words and sent == {0}) or (not words and 7 in sent), "by the one that was asked for", sent)
+        rows = [each for each in served.noted() if each[4] == "CMD"]
+        check(rows and "127.0.0.1" in rows[0][6], "which is noted", served.noted())
+
+
+def stops_by_ramp(check, program):
+    for drive in ("atv320", "atv12", "atv28"):
+        stopped(check, program, drive, ())
+
+
+def stops_otherwise(check, program):
+    stopped(check, program, "atv320", ("--freewheel",))
+    stopped(check, program, "atv320", ("--quick",))
+    stopped(check, program, "atv310", ())
+
+
+def stop_words(check, program):
+    """Which words pass, and where."""
+    simulator = Simulator(program, "atv320:7")
+    with simulator as device, Tap(device) as line, PlainUnits(7) as meter:
+        def written():
+            return [each for each in line.frames() if each[1] in (6, 16)]
+        with Served(program, line.name, "--units", "7", line=PATIENT) as served, Asker(served.number) as client:
+            check(client.ask(7, command(0)) == b"\x86\1" and not written(), "without --write none does")
+        with Served(program, line.name, "--units", "7", "--write", line=PATIENT) as served, Asker(served.number) as client:
+            for word in (1, 3, 4, 5, 6, 8, 9, 10, 11, 14, 15, 0x17, 0x47, 0x80, 0x87, 0x100, 0x102, 0x107, 0x700, 0x702, 0x800, 0x8007, 0xFFFF):
+                check(client.ask(7, command(word)) == b"\x86\1", f"{word:04X} stops no motor")
+            for pdu in (bytes([16]) + struct.pack(">HHB2H", 8501, 2, 4, 0, 0), bytes([16]) + struct.pack(">HHB2H", 8500, 2, 4, 0, 0),
+                        bytes([22]) + struct.pack(">HHH", 8501, 0, 0), bytes([23]) + struct.pack(">HHHHBH", 3201, 1, 8501, 1, 2, 0),
+                        bytes([6]) + struct.pack(">HH", 8502, 0), bytes([6]) + struct.pack(">HH", 8602, 0), bytes([6]) + struct.pack(">HH", 400, 0)):
+                check(client.ask(7, pdu)[1] == 1, f"nor may another form: {pdu.hex(' ')}")
+            check(not written(), "and nothing is on the line", written())
+            for pdu in (command(0), command(2), command(7), bytes([16]) + struct.pack(">HHBH", 8501, 1, 2, 7)):
+                check(client.ask(7, pdu) == pdu[:5], f"{pdu.hex(' ')} stops a motor")
+        # In the I/O profile 0007 is RUN, and 0002 may be.
+        with Served(program, line.name, "--units", "7", "--write", line=PATIENT) as served, Asker(served.number) as client:
+            simulator.suffer("7 write 8401 3")
+            check(client.read(7, 8401) == [3], "the I/O profile")
+            before = len(written())
+            for word in (2, 7):
+                check(client.ask(7, command(word)) == b"\x86\1", f"{word:04X} in the I/O profile is refused")
+            check(len(written()) == before and soon(lambda: [each for each in served.lines["stderr"] if "CHCF" in each and "0000" in each], 20),
+                  "with what stops it there", served.lines["stderr"])
+            check(client.ask(7, command(0)) == command(0), "0000 passes")
+        with Served(program, meter.name, "--units", "7", "--write", line=PATIENT) as served, Asker(served.number) as client:
+            check(client.ask(7, command(0)) == command(0), "what says that it is a meter may be written there")
+    with PlainUnits(7, nameless=(7,)) as meter, Served(program, meter.name, "--units", "7", "--write", line=PATIENT) as served, \
+            Asker(served.number) as client:
+        check(client.ask(7, command(0)) == b"\x86\1" and not meter.asked(6), "what is no drive that is known, and may be one, is not")
+
+
+def stop_of_silent(check, program):
+    """The pauses of a unit that is silent hold no stop back."""
+    with PlainUnits(1, silent=(9,)) as line, Served(program, line.name, "--units", "1,9", "--write", line=SHORT) as served, \
+            Asker(served.number) as client:
+        def asked():
+            return len([each for each in line.requests if each[0] == 9])
+
+        def again():
+            client.ask(9, read_of(FIRST))
+            client.read(1, FIRST)
+            return asked() >= 5
+        check(soon(again, LIMIT), "it is asked with growing pauses")  # the next is 4 s
+        before = asked()
+        check(client.ask(9, command(6)) == bytes([0x86, SILENT]) and asked() == before, "another word is answered 0B at once")
+        check(client.ask(9, command(0)) == bytes([0x86, SILENT]) and asked() > before, "for a stop it is looked for", (before, asked()))
+
+
 def drives(check, program):
-    at_once(check, program, (not_named, named, as_write_does))
+    at_once(check, program, (not_named, named, as_write_does, stop_words, stops_by_ramp, stops_otherwise, stop_of_silent))
 
 
 # Words that a client may try, and where they would do something: control words, references, whose they are, what may be assigned to an input.
@@ -1195,6 +1289,9 @@ def turns(check, program, count="200", seed="1"):
             before, passed, wrong = simulator.shown(7), 0, []
             for _ in range(int(count)):
                 pdu = drawn_write(drawn)
+                while pdu[:3] == b"\6\x21\x35" and pdu[3:] in (b"\0\0", b"\0\2", b"\0\7") or \
+                        pdu[:6] == bytes.fromhex("102135000102") and pdu[6:] in (b"\0\0", b"\0\2", b"\0\7"):
+                    pdu = drawn_write(drawn)  # a stop, which is what it is for
                 answer = client.ask(7, pdu)
                 client.read(7, at.eta)
                 passed += not answer[0] & 0x80

@@ -12,6 +12,7 @@
 #include "exit_status.hpp"
 #include "frame/hex_text.hpp"
 #include "line/end_wish.hpp"
+#include "motion/raw_effect.hpp"
 #include "serve/metrics_page.hpp"
 #include "words/time_words.hpp"
 
@@ -377,7 +378,7 @@ void served_clients::take(client& one, served_request request)
         answer(one, request, exception_to(request, verdict.refused));
         return;
     }
-    if (one.is_behind and not verdict.only_reads) {
+    if (one.is_behind and not verdict.only_reads and not is_word_that_stops(request.pdu)) {
         note_refused("order", &request, "a write came behind a request that was answered 06", one.line.device());
         answer(one, request, exception_to(request, errc::server_device_busy));
         return;

@@ -113,7 +113,7 @@ void served_line::handle(served_request const& request)
         return;
     }
     silent_.note_request(unit, steady_clock::now());
-    if (not silent_.is_due(unit, steady_clock::now())) {
+    if (not silent_.is_due(unit, steady_clock::now()) and not is_word_that_stops(request.pdu)) {
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
         return;
     }
