@@ -13,7 +13,7 @@ packages_of() {
         tests) echo catch2 libfmt-dev python3 binutils ;;
         models) echo spin ;;
         interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial python3-serial-asyncio socat tshark ;;
-        tool) echo pkg-config libcli11-dev libfmt-dev nlohmann-json3-dev libncurses-dev libtomlplusplus-dev libyaml-cpp-dev tmux python3 python3-pyte zsh ;;
+        tool) echo pkg-config libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libyaml-cpp-dev tmux python3 python3-pyte zsh ;;
         gateway) echo pkg-config libmosquitto-dev mosquitto mosquitto-clients openssl python3-jinja2 ;;
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         emulator) echo qemu-system-arm ;;

@@ -13,32 +13,11 @@ import time
 
 import pyte
 
-from support import KEPT_BY_NCURSES, own_terminal
+from support import own_terminal
 
 LIMIT = 60.0  # s, for what has to happen
 LEAVES = b"\x1b[?1049l"  # the end of the whole screen
 FORM = {"TERM": "screen-256color", "LC_ALL": "C.UTF-8"}  # what pyte understands
-
-
-class Scrolled(pyte.Screen):
-    """Scrolls by an order of its own, too (indn, rin), which ncurses uses where lines have moved."""
-
-    def _scrolled(self, act, count):
-        at = self.cursor.y, self.cursor.x
-        self.cursor.y = self.margins.top if self.margins else 0
-        act(count or 1)
-        self.cursor.y, self.cursor.x = at
-
-    def scroll_up(self, count=None):
-        self._scrolled(self.delete_lines, count)
-
-    def scroll_down(self, count=None):
-        self._scrolled(self.insert_lines, count)
-
-
-class Stream(pyte.ByteStream):
-    csi = {**pyte.ByteStream.csi, "S": "scroll_up", "T": "scroll_down"}
-    events = pyte.ByteStream.events | {"scroll_up", "scroll_down"}
 
 
 class Screen:
@@ -47,11 +26,11 @@ class Screen:
     def __init__(self, words, width=80, height=24, **environment):
         self.keyboard, self.terminal = pty.openpty()
         self.before = termios.tcgetattr(self.terminal)
-        self.shown = Scrolled(width, height)
-        self.stream = Stream(self.shown)
+        self.shown = pyte.Screen(width, height)
+        self.stream = pyte.ByteStream(self.shown)
         self.raw = b""
         self._set_size(width, height)
-        forms = {**os.environ, **FORM, "LSAN_OPTIONS": f"suppressions={KEPT_BY_NCURSES}", **environment}
+        forms = {**os.environ, **FORM, **environment}
         forms.pop("NO_COLOR", None)
         forms.pop("LINES", None)
         forms.pop("COLUMNS", None)

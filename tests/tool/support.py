@@ -24,8 +24,6 @@ from simulator import DRIVES, Simulator, runs, soon  # noqa: E402,F401
 LIMIT = 60  # s, for a command that ends by itself
 DONE, DIFFERS, USAGE, NO_ANSWER, PORT, REFUSED = range(6)
 
-KEPT_BY_NCURSES = HERE / "kept_by_ncurses.txt"  # for the address sanitizer
-
 
 class Ended:
     """What a command printed, and its status."""
@@ -60,8 +58,7 @@ class Tool:
         self.folder = tempfile.TemporaryDirectory(prefix="tool-")
         self.place = pathlib.Path(self.folder.name)
         self.environment = {**os.environ, "HOME": self.folder.name, "XDG_STATE_HOME": str(self.place / "state"),
-                            "XDG_CONFIG_HOME": str(self.place / "config"), "NO_COLOR": "1", "LC_ALL": "C.UTF-8",
-                            "LSAN_OPTIONS": f"suppressions={KEPT_BY_NCURSES}"}
+                            "XDG_CONFIG_HOME": str(self.place / "config"), "NO_COLOR": "1", "LC_ALL": "C.UTF-8"}
         return self
 
     def __exit__(self, *_):

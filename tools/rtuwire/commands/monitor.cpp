@@ -163,7 +163,7 @@ public:
             refresh();
             if (std::size_t const now = shown_.alarms(); now != alarms_) {
                 bool const is_new = now > std::exchange(alarms_, now);
-                is_new and shown_.has_bell ? full_screen::ring() : void();
+                is_new and shown_.has_bell ? screen.ring() : void();
             }
             screen.show(draw(shown_, screen.width(), screen.height()));
             if (not shown_.failure.empty()) {
