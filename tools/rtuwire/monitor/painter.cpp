@@ -16,7 +16,8 @@ namespace {
 std::string_view first_of(std::string_view text)
 {
     auto const continues = [](char each) { return (static_cast<unsigned char>(each) & 0xC0U) == 0x80U; };
-    auto const end = std::find_if_not(text.begin() + 1, text.end(), continues);
+    bool const is_long = static_cast<unsigned char>(text.front()) >= 0xC0;
+    auto const end = is_long ? std::find_if_not(text.begin() + 1, text.end(), continues) : text.begin() + 1;
     return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
