@@ -18,6 +18,12 @@ FILLED = ("packaging/conan/conandata.yml", "packaging/conan/config.yml", "packag
           "packaging/meson/rtuwire.wrap", "packaging/vcpkg/portfile.cmake", "packaging/vcpkg/vcpkg.json",
           "packaging/pkg-config/rtuwire.pc.in")
 
+# What shows how the version is named, or asks for it: each of these does, whole or by its first two numbers.
+SHOWN = ("docs/packaging.md", "packaging/debian/tests/headers", "tests/consumer/find_package/CMakeLists.txt",
+         "tests/packaging/consumer/meson/meson.build")
+AS_SHOWN = re.compile(r"\brtuwire[-/](\d+\.\d+\.\d+)|--version (\d+\.\d+\.\d+)|`(\d+\.\d+\.\d+)` is the version"
+                      r"|find_package\(rtuwire (\d+\.\d+) REQUIRED|'rtuwire', version: '>=(\d+\.\d+)'")
+
 
 def named(root):
     """What names the version, and what it says."""
@@ -38,6 +44,12 @@ def complaints(root):
             yield f"{place}: has no place for the version"
         if number in text:
             yield f"{place}: names {number} itself"
+    for place in SHOWN:
+        shown = {"".join(each) for each in AS_SHOWN.findall((root / place).read_text(encoding="utf-8"))}
+        if not shown:
+            yield f"{place}: names no version"
+        for says in sorted(shown - {number, number.rpartition(".")[0]}):
+            yield f"{place}: says {says}, and {DECIDED} {number}"
     cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
     if re.search(r"\bVERSION\s+\"?\d+\.\d+\.\d+\b", cmake):
         yield "CMakeLists.txt: names a version itself"
@@ -46,7 +58,8 @@ def complaints(root):
 def main(project=PROJECT):
     root = pathlib.Path(project)
     found = list(complaints(root))
-    print("\n".join(found) or f"{len(list(named(root)))} places say {version(root)}, {len(FILLED)} are filled in")
+    print("\n".join(found)
+          or f"{len(list(named(root))) + len(SHOWN)} places say {version(root)}, {len(FILLED)} are filled in")
     return 1 if found else 0
 
 

@@ -25,7 +25,7 @@
 #endif
 
 /// The version for the preprocessor: major * 10000 + minor * 100 + patch.
-#define RTUWIRE_VERSION 100
+#define RTUWIRE_VERSION 900
 
 // Whether there is an operating system, as on a host: 1 or 0.
 #if defined(__unix__) || defined(__APPLE__) || defined(_WIN32)
