@@ -56,6 +56,16 @@ def check_whole_line(tool, check):
               == [("9600", "8E1"), ("9600", "8N1"), ("19200", "8E1"), ("19200", "8N1")], "each bit rate and format", many)
 
 
+def check_port_word(tool, check):
+    """The port may stand behind the command: who begins types no option."""
+    with Simulator(tool.program, *DRIVES) as device:
+        ended = tool.run("scan", device, "--no-listen", "--timeout", PATIENCE, "--units", "1-8", "--json")
+        check([row["unit"] for row in ended.objects()] == [3, 7], "scan PORT is --port PORT scan", ended)
+        check(f" -p {device} " in ended.errors, "and stands as such in a command to paste", ended)
+        ended = tool.run("--port", device, "scan", device)
+        check(ended.status == USAGE and "--port" in ended.errors, "both are refused", ended)
+
+
 def check_resume(tool, check):
     with Simulator(tool.program, *DRIVES) as device, CountedLine(device) as line:
         words = ["--port", line.name, "--no-listen", "--timeout", PATIENCE, "-b", RATE, "--json", "scan", "--units", "1-20,130", "--resume",
@@ -220,7 +230,7 @@ def check_left(tool, check):
     check(ended.status == DONE and not ended.errors, "nor of drives that end with the scan", ended)
 
 
-PARTS = {"": (check_whole_line, check_resume, check_damaged, check_listening), "share": (check_share,), "left": (check_left,)}
+PARTS = {"": (check_whole_line, check_port_word, check_resume, check_damaged, check_listening), "share": (check_share,), "left": (check_left,)}
 
 
 def main(check, program, part=""):

@@ -173,6 +173,12 @@ typed_line typed_in(CLI::App const& app, std::string_view program)
                                                                   : typed.options;
         place += std::ranges::count(others, name) == 0 ? typed_text(*each) : std::string{};
     }
+    for (CLI::App const* const each : app.get_subcommands()) {
+        CLI::Option const* const port = each->get_option_no_throw("PORT"); // of a scan
+        if (port != nullptr and port->count() > 0) {
+            typed.options += " -p " + quoted(port->as<std::string>());
+        }
+    }
     return typed;
 }
 

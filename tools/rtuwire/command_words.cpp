@@ -180,6 +180,7 @@ void add_reading(CLI::App& app, choices& chosen)
     auto* const find = scan.add_flag("--find", chosen.finds_setting,
                                      "try the usual bit rates and formats, one after another, until somebody answers;\n"
                                      "so it does without a word of them (-b, -f, --bauds, --formats)");
+    scan.add_option("PORT", chosen.line.port, "the same as --port")->excludes(app.get_option("--port"));
     scan.add_option("--units", chosen.scan.units, "1-247 or 1,3,7-9")->capture_default_str();
     scan.add_option("--bauds", chosen.scan.bauds, "bit rates to try all of, such as 9600,19200")
         ->delimiter(',')

@@ -90,7 +90,7 @@ std::string_view operands_of(command_text const& command)
     if (takes(command, "SHELL")) {
         return "shells";
     }
-    return takes(command, "FILE") ? "files" : "nothing";
+    return takes(command, "FILE") or takes(command, "PORT") ? "files" : "nothing";
 }
 
 /// Functions that both shells understand: words, one function a kind.
