@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: BSL-1.0
 # Makes a release of the commit that is checked out: sh packaging/release.sh [OUTPUT]. OUTPUT is build/release unless given:
 # the archive, the single header, the module's interface, the manifests laid out for each registry, Debian's packages, the
-# documentation, checksums. The version stands in include/rtuwire/core/version.hpp. The same commit gives the same bytes.
+# tool for each system (packaging/download/make.sh), the documentation, checksums. The version stands in
+# include/rtuwire/core/version.hpp. The same commit and the same packages of Debian give the same bytes.
 #
 # RTUWIRE_URL is the address of the folder that the archive will be downloaded from; vcpkg, Conan and Meson get to know it.
-# RTUWIRE_RELEASE_WITHOUT leaves out parts (debian docs), for a look at the others.
+# RTUWIRE_RELEASE_WITHOUT leaves out parts (debian download docs), for a look at the others.
 set -eu
 project=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 output=$(realpath -m -- "${1:-$project/build/release}")
@@ -41,7 +42,9 @@ version=$((number / 10000)).$((number / 100 % 100)).$((number % 100))
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
 umask 022
-sh tests/packages.sh build tool gateway packaging
+is_made() { [ "${without#* "$1" }" = "$without" ]; }
+# shellcheck disable=SC2046 # nothing, or a word
+sh tests/packages.sh build tool gateway packaging $(is_made download && echo download)
 
 # Nothing half-made stands under the name of the release: it is put there whole, at the end.
 mkdir -p "$(dirname "$output")"
@@ -84,7 +87,7 @@ step "manifests"
 /usr/bin/python3 -B "$work/$name/packaging/lay_out.py" "$work/$name" "$made/$name.tar.gz" "$made" \
     --url "$url" --epoch "$SOURCE_DATE_EPOCH"
 
-if [ "${without#* debian }" = "$without" ]; then
+if is_made debian; then
     step "Debian packages"
     cp "$made/$name.tar.gz" "$work/rtuwire_$version.orig.tar.gz"
     cp -R "$work/$name/packaging/debian" "$work/$name/debian"
@@ -99,7 +102,11 @@ if [ "${without#* debian }" = "$without" ]; then
     done
 fi
 
-if [ "${without#* docs }" = "$without" ]; then
+if is_made download; then
+    . "$work/$name/packaging/download/make.sh"
+fi
+
+if is_made docs; then
     step "documentation"
     mkdir "$work/docs" "$work/source"
     tar -xzf "$made/$name.tar.gz" -C "$work/source"

@@ -23,6 +23,7 @@ packages_of() {
         portability) echo gcc-riscv64-unknown-elf g++-s390x-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         avr) echo clang-19 gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         packaging) echo git cmake ninja-build g++ pkg-config python3 python3-yaml meson debhelper dpkg-dev lintian mmdebstrap ;;
+        download) echo apt dpkg-dev g++-aarch64-linux-gnu qemu-user-static iproute2 ;;
         style) echo clang-format clang-tidy ;;
         docs) echo doxygen doxygen-awesome-css graphviz g++ clang python3 ;;
         playground) echo clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 ;;
@@ -32,7 +33,7 @@ packages_of() {
         newcomer) echo debootstrap ;;
         cache) echo ccache ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool gateway arm emulator clang afl bench portability avr packaging style docs playground browser npm proxies newcomer cache" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool gateway arm emulator clang afl bench portability avr packaging download style docs playground browser npm proxies newcomer cache" >&2
             return 1
             ;;
     esac

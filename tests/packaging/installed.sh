@@ -14,13 +14,10 @@ root=$place/root
 echo "lintian"
 # Its complaints of each degree end this, and overrides that nothing needs.
 (cd "$release" && lintian --fail-on error,warning,info,override --display-info --suppress-tags-from-file \
-    "$here/lintian_left_out.txt" ./*.dsc ./*.deb)
+    "$here/lintian_left_out.txt" ./rtuwire_*.dsc ./*.deb)
 
 echo "a root with apt and little else"
-[ -f "$place/root.tar" ] || {
-    mmdebstrap --quiet --format=tar --variant=minbase bookworm "$place/root.tar.part"
-    mv "$place/root.tar.part" "$place/root.tar"
-}
+sh "$here/bare_debian.sh" "$place/root.tar"
 rm -rf "$root"
 mkdir "$root"
 tar -xf "$place/root.tar" -C "$root"

@@ -8,7 +8,7 @@ import subprocess
 
 from support import PROJECT, InAFolder, run
 
-QUICKLY = {"RTUWIRE_RELEASE_WITHOUT": "debian docs"}
+QUICKLY = {"RTUWIRE_RELEASE_WITHOUT": "debian download docs"}
 
 
 class Release(InAFolder):

@@ -12,6 +12,7 @@ CHANGES = {
     "idf_component.yml": (f'version: "{version()}"', 'version: "9.9.9"'),
     "packaging/debian/changelog": (f"rtuwire ({version()}-1)", "rtuwire (9.9.9-1)"),
     "packaging/meson/meson.build": ("@VERSION@", version()),
+    "README.md": (f"rtuwire-{version()}-linux", "rtuwire-9.9.9-linux"),
     "docs/packaging.md": (f"/rtuwire-{version()}.tar.gz", "/rtuwire-9.9.9.tar.gz"),
     "packaging/debian/tests/headers": (f"find_package(rtuwire {version().rpartition('.')[0]} ", "find_package(rtuwire 9.9 "),
     "tests/consumer/find_package/CMakeLists.txt": ("find_package(rtuwire 0", "find_package(rtuwire 9"),

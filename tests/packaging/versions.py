@@ -19,9 +19,9 @@ FILLED = ("packaging/conan/conandata.yml", "packaging/conan/config.yml", "packag
           "packaging/pkg-config/rtuwire.pc.in")
 
 # What shows how the version is named, or asks for it: each of these does, whole or by its first two numbers.
-SHOWN = ("docs/packaging.md", "packaging/debian/tests/headers", "tests/consumer/find_package/CMakeLists.txt",
+SHOWN = ("README.md", "docs/packaging.md", "packaging/debian/tests/headers", "tests/consumer/find_package/CMakeLists.txt",
          "tests/packaging/consumer/meson/meson.build")
-AS_SHOWN = re.compile(r"\brtuwire[-/](\d+\.\d+\.\d+)|--version (\d+\.\d+\.\d+)|`(\d+\.\d+\.\d+)` is the version"
+AS_SHOWN = re.compile(r"\brtuwire[-/](\d+\.\d+\.\d+)|--version (\d+\.\d+\.\d+)|`(\d+\.\d+\.\d+)` is the version|`v(\d+\.\d+\.\d+)`"
                       r"|find_package\(rtuwire (\d+\.\d+) REQUIRED|'rtuwire', version: '>=(\d+\.\d+)'")
 
 
