@@ -10,6 +10,7 @@ from support import DECIDED, PROJECT, InAFolder, version
 CHANGES = {
     "library.json": (f'"version": "{version()}"', '"version": "9.9.9"'),
     "idf_component.yml": (f'version: "{version()}"', 'version: "9.9.9"'),
+    "CHANGELOG.md": (f"## {version()}", "## 9.9.9"),
     "packaging/debian/changelog": (f"rtuwire ({version()}-1)", "rtuwire (9.9.9-1)"),
     "packaging/meson/meson.build": ("@VERSION@", version()),
     "README.md": (f"rtuwire-{version()}-linux", "rtuwire-9.9.9-linux"),

@@ -29,6 +29,8 @@ def named(root):
     """What names the version, and what it says."""
     yield "library.json", json.loads((root / "library.json").read_text(encoding="utf-8"))["version"]
     yield "idf_component.yml", yaml.safe_load((root / "idf_component.yml").read_text(encoding="utf-8"))["version"]
+    released = (root / "CHANGELOG.md").read_text(encoding="utf-8")
+    yield "CHANGELOG.md", re.search(r"^## (\d+\.\d+\.\d+)$", released, re.MULTILINE)[1]
     newest = (root / "packaging/debian/changelog").read_text(encoding="utf-8").partition("\n")[0]
     yield "packaging/debian/changelog", re.match(r"rtuwire \(([\d.]+)-\d+\)", newest)[1]
 
