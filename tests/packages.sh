@@ -20,7 +20,7 @@ packages_of() {
         clang) echo clang libclang-rt-dev ;;
         afl) echo afl++ pkg-config libmodbus-dev ;;
         bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind strace ;;
-        portability) echo gcc-riscv64-unknown-elf g++-s390x-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
+        portability) echo gcc-riscv64-unknown-elf gcc-xtensa-lx106 g++-s390x-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         avr) echo clang-19 gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         packaging) echo git cmake ninja-build g++ pkg-config python3 python3-yaml meson debhelper dpkg-dev lintian mmdebstrap ;;
         download) echo apt dpkg-dev g++-aarch64-linux-gnu qemu-user-static iproute2 ;;

@@ -107,7 +107,8 @@ class Pages:
         paths = [project / "README.md", project / "CHANGELOG.md", *sorted((project / "docs").rglob("*.md"))]
         self.texts = {path.relative_to(project).as_posix(): path.read_text(encoding="utf-8")
                       for path in paths if path.exists()}
-        self.programs = {path.relative_to(project).as_posix() for path in (project / "examples").glob("*.cpp")}
+        self.programs = {path.relative_to(project).as_posix() for folder in ("examples", "examples/boards")
+                         for path in (project / folder).glob("*.cpp")}
 
     def target(self, page, link):
         """What a link of a page becomes; none where the site has no such page, and the project does."""

@@ -108,8 +108,10 @@ def write_pages(project, build, pages):
         target.write_text(pages.staged(page), encoding="utf-8")
     for program in sorted(pages.programs):
         name = pathlib.PurePath(program).stem
+        use = (f"A file to copy: @ref {identifier('docs/boards.md')}." if program.startswith("examples/boards/") else
+               f"`sh examples/run.sh {name}` builds this program and runs it.")
         (place / f"{identifier(program)}.md").write_text(
-            f"# {name} {{#{identifier(program)}}}\n\n`sh examples/run.sh {name}` builds this program and runs it.\n\n"
+            f"# {name} {{#{identifier(program)}}}\n\n{use}\n\n"
             f"\\include {program}\n", encoding="utf-8")
     write_regions(project, build / "regions", pages)
     unused = set(pages.made) - pages.used
