@@ -7,6 +7,7 @@
     python3 emulated.py BOARD frame_server [lossy]         the same, with DMA and an idle-line interrupt
     python3 emulated.py BOARD simulated_drive [lossy]      the same, and pymodbus runs it
     python3 emulated.py BOARD checked TOOL                 the server is held to each must of `check`
+    python3 emulated.py BOARD bare_cortex_m                the file of examples/boards polls a unit
 
 With "lossy" every second request is lost on its way, and the run has to fail.
 """
@@ -26,7 +27,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 FIRMWARE = HERE.parents[1] / "examples" / "firmware"
 sys.path.insert(0, str(HERE.parent / "interop"))
 
-from frames import LossyLine  # noqa: E402
+from frames import LossyLine, with_crc  # noqa: E402
 from mbpoll import mbpoll, words_in  # noqa: E402
 from simulator import Simulator, asked, repetitions, runs  # noqa: E402
 
@@ -34,7 +35,7 @@ MACHINES = {"mps2_an385": "mps2-an385", "lm3s6965evb": "lm3s6965evb"}
 
 
 def build(place, board, program, *flags):
-    elf = pathlib.Path(place) / f"{program}.elf"
+    elf = pathlib.Path(place) / f"{pathlib.PurePath(program).name}.elf"
     subprocess.run(["sh", FIRMWARE / "build.sh", board, program, elf, *flags], check=True)
     return elf
 
@@ -172,6 +173,31 @@ def run_checked(check, place, board, tool):
     check(ended.returncode == 0 and not fails and holds > 60, "every must holds", (ended.returncode, fails, holds))
 
 
+def run_bare(check, place, board):
+    """A unit that answers each request, but every third with a byte too few."""
+    elf = build(place, board, "../boards/bare_cortex_m")
+    asks, answer = with_crc(bytes.fromhex("07 03 0C 81 00 01")), with_crc(bytes.fromhex("07 03 02 02 50"))
+    with Emulator(board, elf, "pty") as firmware:
+        device = firmware.wait_for("redirected to (\\S+)")[1]
+        line = os.open(device, os.O_RDWR | os.O_NOCTTY)
+        tty.setraw(line)
+
+        def answers():
+            heard = b""
+            for number in range(1, 13):
+                while len(heard) < len(asks):
+                    heard += os.read(line, 256)
+                request, heard = heard[:len(asks)], heard[len(asks):]
+                check(request == asks, "it asks for the register", request)
+                os.write(line, answer if number % 3 else answer[:-1])
+        unit = threading.Thread(target=answers)
+        unit.start()
+        values = [firmware.wait_for("^value (\\d+)")[1] for _ in range(8)]
+        unit.join()
+        os.close(line)
+    check(values == ["592"] * 8, "it reads the register", values)
+
+
 def run_unit(check, place, board, program, *how):
     elf = build(place, board, program)
     with Emulator(board, elf, "pty") as firmware, contextlib.ExitStack() as between:
@@ -190,6 +216,8 @@ def main(check, board, program, *rest):
             run_controller(check, place, board, *rest)
         elif program == "checked":
             run_checked(check, place, board, *rest)
+        elif program == "bare_cortex_m":
+            run_bare(check, place, board)
         else:
             run_unit(check, place, board, program, *rest)
 
