@@ -7,11 +7,13 @@
 # include/rtuwire/core/version.hpp. The same commit and the same packages of Debian give the same bytes.
 #
 # RTUWIRE_URL is the address of the folder that the archive will be downloaded from; vcpkg, Conan and Meson get to know it.
+# RTUWIRE_HOME is that of the project, without .git; the manifests name it as homepage and repository.
 # RTUWIRE_RELEASE_WITHOUT leaves out parts (debian download docs), for a look at the others.
 set -eu
 project=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 output=$(realpath -m -- "${1:-$project/build/release}")
 url=${RTUWIRE_URL:-https://rtuwire.invalid/releases}
+home=${RTUWIRE_HOME:-https://rtuwire.invalid/rtuwire}
 without=" ${RTUWIRE_RELEASE_WITHOUT:-} "
 export LC_ALL=C TZ=UTC
 cd "$project"
@@ -85,7 +87,7 @@ step "single header, and the interface of the module"
 
 step "manifests"
 /usr/bin/python3 -B "$work/$name/packaging/lay_out.py" "$work/$name" "$made/$name.tar.gz" "$made" \
-    --url "$url" --epoch "$SOURCE_DATE_EPOCH"
+    --url "$url" --home "$home" --epoch "$SOURCE_DATE_EPOCH"
 
 if is_made debian; then
     step "Debian packages"

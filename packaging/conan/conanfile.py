@@ -11,6 +11,9 @@ class Rtuwire(ConanFile):
     name = "rtuwire"
     description = "Modbus RTU client and server for C++20, with the tables of Altivar drives; headers only"
     license = "BSL-1.0"
+    author = "The rtuwire authors"
+    homepage = "@HOME@"
+    url = "@HOME@"
     topics = ("modbus", "rs-485", "embedded", "header-only")
     package_type = "header-library"
     settings = "os", "arch", "compiler", "build_type"

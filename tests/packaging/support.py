@@ -8,6 +8,7 @@ import subprocess
 import tarfile
 import tempfile
 import unittest
+import zipfile
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent.parent
 HERE = PROJECT / "tests" / "packaging"
@@ -40,11 +41,11 @@ def version(root=PROJECT):
 
 def archive(registry=""):
     """The release's archive, or that of a registry."""
-    return RELEASE / f"rtuwire-{version()}{registry and '-' + registry}.tar.gz"
+    return RELEASE / f"rtuwire-{version()}{registry and '-' + registry}.{'zip' if registry == 'arduino' else 'tar.gz'}"
 
 
 def unpack(path, place):
-    with tarfile.open(path) as packed:
+    with (zipfile.ZipFile if path.suffix == ".zip" else tarfile.open)(path) as packed:
         packed.extractall(place)
     return pathlib.Path(place)
 

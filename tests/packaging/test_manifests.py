@@ -20,6 +20,16 @@ sys.path.insert(0, str(STUBS))
 import conan_stub  # noqa: E402
 
 
+# Where the project is, as the release was told.
+HOME = r"^https://\S+/rtuwire$"
+
+
+def board_compiles(board, source, *includes):
+    """A file of examples/boards, with what stands for its maker's headers."""
+    folders = [*includes, PROJECT / "tests/boards/stand_ins" / board]
+    run("g++", "-std=c++20", "-fsyntax-only", *(word for folder in folders for word in ("-I", folder)), source)
+
+
 class Form(InAFolder):
     def laid(self, registry):
         return unpack(archive(registry), self.place / registry)
@@ -46,7 +56,8 @@ class Vcpkg(Form):
 
     def test_the_manifest(self):
         manifest = json.loads((self.port() / "vcpkg.json").read_text(encoding="utf-8"))
-        self.assertEqual(set(manifest), {"name", "version", "description", "license", "dependencies"})
+        self.assertEqual(set(manifest), {"name", "version", "description", "homepage", "license", "dependencies"})
+        self.assertRegex(manifest["homepage"], HOME)
         self.assertEqual((manifest["name"], manifest["version"], manifest["license"]), ("rtuwire", version(), "BSL-1.0"))
         self.assertEqual([(each["name"], each["host"]) for each in manifest["dependencies"]],
                          [("vcpkg-cmake", True), ("vcpkg-cmake-config", True)])
@@ -87,6 +98,8 @@ class Conan(Form):
     def test_the_package(self):
         recipe = self.recipe()
         self.assertEqual((recipe.name, recipe.license, recipe.package_type), ("rtuwire", "BSL-1.0", "header-library"))
+        self.assertRegex(recipe.homepage, HOME)
+        self.assertEqual((recipe.url, recipe.author), (recipe.homepage, "The rtuwire authors"))
         recipe.validate()
         recipe.source()
         recipe.package()
@@ -116,7 +129,7 @@ class Conan(Form):
 class EspIdf(Form):
     def check(self, component):
         manifest = yaml.safe_load((component / "idf_component.yml").read_text(encoding="utf-8"))
-        self.assertLessEqual(set(manifest), {"version", "description", "license", "dependencies", "files"})
+        self.assertLessEqual(set(manifest), {"version", "description", "license", "tags", "dependencies", "files", "url", "repository"})
         self.assertEqual((manifest["version"], manifest["dependencies"]), (version(), {"idf": ">=5.1"}))
         said = run("cmake", f"-DCOMPONENT={component}", "-P", STUBS / "esp_idf.cmake")
         self.assertIn("component registered, include include", said)
@@ -124,7 +137,21 @@ class EspIdf(Form):
         run(build(source, self.place / "build") / "consumer")
 
     def test_the_component_of_the_release(self):
-        self.check(self.laid("esp-idf") / "rtuwire")
+        component = self.laid("esp-idf") / "rtuwire"
+        self.check(component)
+        manifest = yaml.safe_load((component / "idf_component.yml").read_text(encoding="utf-8"))
+        self.assertRegex(manifest["url"], HOME)
+        self.assertEqual(manifest["repository"], manifest["url"] + ".git")
+
+    def test_its_example_is_a_project(self):
+        example = self.laid("esp-idf") / "rtuwire/examples/esp_idf"
+        self.assertIn("include($ENV{IDF_PATH}/tools/cmake/project.cmake)", (example / "CMakeLists.txt").read_text(encoding="utf-8"))
+        sources = re.findall(r'SRCS "([^"]+)"', (example / "main/CMakeLists.txt").read_text(encoding="utf-8"))
+        self.assertEqual(sources, ["esp_idf.cpp"])
+        needs = yaml.safe_load((example / "main/idf_component.yml").read_text(encoding="utf-8"))["dependencies"]
+        self.assertEqual(needs["rtuwire"]["version"], version())
+        component = (example / "main" / needs["rtuwire"]["override_path"]).resolve()
+        board_compiles("esp_idf", example / "main/esp_idf.cpp", component / "include")
 
     def test_the_project_as_a_git_address(self):
         self.check(PROJECT)
@@ -167,6 +194,12 @@ class PlatformIO(Form):
         for name, kind in {"name": str, "version": str, "description": str, "keywords": list, "license": str}.items():
             self.assertIsInstance(manifest[name], kind, name)
         self.assertLessEqual(len(manifest["description"]), 255)
+        self.assertEqual(manifest["authors"], [{"name": "The rtuwire authors"}])
+        self.assertNotIn("*", (*manifest["frameworks"], *manifest["platforms"]))
+        for example in manifest["examples"]:
+            for file in example["files"]:
+                self.assertEqual(file, f"{example['name']}.cpp")
+                self.assertTrue((root / example["base"] / file).is_file(), file)
         self.assertEqual(platformio_filter.compiled(root, manifest), [])
         include = platformio_filter.include_folder(root, manifest)
         for header in manifest["headers"]:
@@ -178,6 +211,9 @@ class PlatformIO(Form):
 
     def test_the_package_of_the_release(self):
         self.check(self.laid("platformio"))
+        manifest = self.manifest(self.place / "platformio")
+        self.assertRegex(manifest["homepage"], HOME)
+        self.assertEqual(manifest["repository"], {"type": "git", "url": manifest["homepage"] + ".git"})
 
     def test_without_the_manifest_it_would_compile_everything(self):
         would = {path.relative_to(PROJECT).parts[0] for path in platformio_filter.compiled(PROJECT, {})}
@@ -186,4 +222,43 @@ class PlatformIO(Form):
     def test_a_package_has_what_the_manifest_says(self):
         has = platformio_filter.exported(PROJECT, self.manifest(PROJECT))
         self.assertLessEqual({"library.json", "LICENSE", "include/rtuwire/rtuwire.hpp"}, set(has))
-        self.assertLessEqual({name.partition("/")[0] for name in has}, {"include", "docs", "library.json", "LICENSE", "README.md"})
+        self.assertLessEqual({name.partition("/")[0] for name in has}, {"include", "docs", "examples", "library.json", "LICENSE", "README.md"})
+
+
+class Arduino(Form):
+    """By the specification of Arduino's libraries: sources and headers in src/, a library is found by a header that stands there
+    itself, a sketch is a folder with an .ino of its name, whose .cpp files are compiled, too."""
+
+    def library(self):
+        return self.laid("arduino") / "rtuwire"
+
+    def test_its_properties(self):
+        lines = (self.library() / "library.properties").read_text(encoding="utf-8").splitlines()
+        properties = dict(line.split("=", 1) for line in lines)
+        self.assertEqual(set(properties), {"name", "version", "author", "maintainer", "sentence", "paragraph", "category", "url",
+                                           "architectures", "includes"})
+        self.assertEqual((properties["name"], properties["version"]), ("rtuwire", version()))
+        self.assertEqual(properties["category"], "Communication")  # one of those that it lists
+        self.assertRegex(properties["url"], HOME)
+        self.assertNotIn("*", properties["architectures"])
+
+    def test_it_is_found_and_compiles_nothing(self):
+        library = self.library()
+        self.assertEqual([path.name for path in (library / "src").iterdir() if path.is_file()], ["rtuwire.h"])
+        self.assertEqual([path for path in library.rglob("*") if path.suffix in (".c", ".cpp", ".S")
+                          and "examples" not in path.relative_to(library).parts], [])
+        self.assertEqual([path.name for path in library.iterdir() if path.is_dir() and path.name not in ("src", "examples")], [])
+
+    def test_its_sketches(self):
+        library = self.library()
+        sketches = sorted((library / "examples").iterdir())
+        self.assertEqual([path.name for path in sketches], ["arduino_esp32", "arduino_stream"])
+        for sketch in sketches:
+            ino = (sketch / f"{sketch.name}.ino").read_text(encoding="utf-8")
+            found = re.findall(r"^#include <(\S+)>$", ino, re.MULTILINE)
+            self.assertTrue(found and (library / "src" / found[0]).is_file(), f"{sketch.name} does not find the library")
+            board_compiles(sketch.name, sketch / f"{sketch.name}.cpp", library / "src")
+
+    def test_the_header_that_it_is_found_by(self):
+        self.compiles(self.library() / "src")
+        run("g++", "-std=c++20", "-fsyntax-only", "-I", self.library() / "src", "-include", "rtuwire.h", "-x", "c++", "/dev/null")

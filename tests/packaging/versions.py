@@ -16,7 +16,7 @@ from support import DECIDED, PROJECT, version
 # Filled in where a release lays them out, so none of these may name a version itself.
 FILLED = ("packaging/conan/conandata.yml", "packaging/conan/config.yml", "packaging/meson/meson.build",
           "packaging/meson/rtuwire.wrap", "packaging/vcpkg/portfile.cmake", "packaging/vcpkg/vcpkg.json",
-          "packaging/pkg-config/rtuwire.pc.in")
+          "packaging/pkg-config/rtuwire.pc.in", "packaging/arduino/library.properties")
 
 # What shows how the version is named, or asks for it: each of these does, whole or by its first two numbers.
 SHOWN = ("README.md", "docs/packaging.md", "packaging/debian/tests/headers", "tests/consumer/find_package/CMakeLists.txt",
