@@ -134,11 +134,14 @@ def typed(tool, check):
     draw = random.Random(20261130)
     with Screen([tool, *WORDS]) as page:
         check(page.until_shown(STATE), "its screen", page.text)
+        os.set_blocking(page.keyboard, False)
         for _ in range(20):
             garbage = bytes(each for each in draw.randbytes(3000) if each not in ends)
             while garbage:
-                garbage = garbage[os.write(page.keyboard, garbage[:512]):]
-                page.take(0.01)
+                try:
+                    garbage = garbage[os.write(page.keyboard, garbage):]
+                except BlockingIOError:  # it draws first
+                    page.take(0.01)
         page.type("\x1b[1;5q\x1bOq\x1b]0;quit\x07\x1bPquit\x1b\\")
         page.type("\x0c")  # by which all before it was taken
         seen = len(page.raw)

@@ -108,7 +108,10 @@ class Screen:
     def end(self, seconds=LIMIT):
         """The status with which the program ends by itself; None where it does not."""
         self.until(lambda: self.process.poll() is not None, seconds)
-        self.take(0.05)
+        seen = -1
+        while seen != len(self.raw):  # what it drew last may be much
+            seen = len(self.raw)
+            self.take(0.05)
         return self.process.poll()
 
     def is_restored(self):
