@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <clocale>
 #include <csignal>
 #include <cstdlib>
 #include <iterator>
 #include <string>
 #include <string_view>
 
-#include <langinfo.h>
 #include <sys/ioctl.h>
 #include <sys/select.h>
 #include <termios.h>
@@ -50,10 +48,10 @@ void give_back_console_signal(int number)
     }
 }
 
-std::string terminal_name()
+std::string variable(char const* name)
 {
-    char const* const name = std::getenv("TERM");
-    return name == nullptr ? "" : name;
+    char const* const value = std::getenv(name);
+    return value == nullptr ? "" : value;
 }
 
 /// The first word of a name: of xterm-256color, screen.xterm, vt220+keypad.
@@ -86,7 +84,7 @@ void check_terminal()
     if (::isatty(STDIN_FILENO) != 1) {
         refuse_word("monitor needs keys, and standard input is no terminal");
     }
-    if (std::string const name = terminal_name(); not takes_sequences(family_of(name))) {
+    if (std::string const name = variable("TERM"); not takes_sequences(family_of(name))) {
         refuse_word("TERM is '" + name + "', no terminal with a screen that monitor knows; most are TERM=xterm");
     }
 }
@@ -99,8 +97,6 @@ struct console::system_state {
 console::console() : state_{std::make_unique<system_state>()}
 {
     ::tcgetattr(STDIN_FILENO, &state_->before);
-    // Only what a character is: numbers keep their point.
-    std::setlocale(LC_CTYPE, "");
     for (int const each : {SIGTSTP, SIGCONT, SIGWINCH}) {
         take_console_signal(each);
     }
@@ -144,11 +140,21 @@ console_size console::size() const
     return {found.ws_col, found.ws_row};
 }
 
-bool console::has_utf8() const { return std::string_view{::nl_langinfo(CODESET)} == "UTF-8"; }
+bool console::has_utf8() const
+{
+    // By its name: a static program or a bare system may lack the locale itself.
+    std::string locale;
+    for (char const* const each : {"LANG", "LC_CTYPE", "LC_ALL"}) {
+        std::string const set = variable(each);
+        locale = set.empty() ? locale : set;
+    }
+    auto const is_in = [&locale](std::string_view name) { return locale.find(name) != locale.npos; };
+    return is_in("UTF-8") or is_in("utf8") or is_in("utf-8") or is_in("UTF8");
+}
 
 bool console::has_colours() const
 {
-    return std::getenv("NO_COLOR") == nullptr and not is_numbered_vt(family_of(terminal_name()));
+    return std::getenv("NO_COLOR") == nullptr and not is_numbered_vt(family_of(variable("TERM")));
 }
 
 bool console::write(std::string_view bytes)
@@ -176,8 +182,10 @@ console_event console::read(std::chrono::milliseconds limit, std::string& bytes)
     fd_set keyboard;
     FD_ZERO(&keyboard);
     FD_SET(STDIN_FILENO, &keyboard);
-    auto const microseconds = std::chrono::microseconds{limit}.count();
-    timeval left{.tv_sec = microseconds / 1'000'000, .tv_usec = microseconds % 1'000'000};
+    timeval left{};
+    left.tv_sec = limit / std::chrono::seconds{1};
+    left.tv_usec =
+        static_cast<decltype(left.tv_usec)>((limit % std::chrono::seconds{1}) / std::chrono::microseconds{1});
     int const ready = ::select(STDIN_FILENO + 1, &keyboard, nullptr, nullptr, &left);
     if (shall_suspend != 0) {
         leave();
