@@ -7,6 +7,7 @@
 
 #include "../../tools/rtuwire/monitor/painter.hpp"
 #include "../../tools/rtuwire/monitor/typed_keys.hpp"
+#include "../../tools/rtuwire/output/width.hpp"
 #include "support/catch.hpp"
 
 using namespace tool;
@@ -110,4 +111,23 @@ TEST_CASE("monitor: a sequence that does not go on is given up")
         CHECK_FALSE(keys.is_within());
         CHECK(keys_in(keys, "q") == std::vector{key::quit});
     }
+}
+
+TEST_CASE("monitor: what is wide, and what stands on a letter, is cut where the screen ends")
+{
+    // 3 columns a row, of which a wide character has two.
+    painter screen{true, true};
+    CHECK(screen.paint(page_of({"风机a", "e\u0301te\u0301s"}), 3, 2) ==
+          "\x1b[0m\x1b[2J\x1b[1;1H\x1b[0m\x1b[K风\x1b[2;1H\x1b[0m\x1b[Ke\u0301te\u0301");
+    CHECK(screen.paint(page_of({"风a", "e\u0301te\u0301"}), 3, 2) == "\x1b[1;1H\x1b[0m\x1b[K风a");
+    CHECK(cut_to("风机泵", 6, true) == "风机泵");
+    CHECK(cut_to("风机泵", 5, true) == "风机…");
+    CHECK(cut_to("风机泵", 4, true) == "风…");
+    CHECK(cut_to("e\u0301te\u0301", 3, true) == "e\u0301te\u0301");
+    CHECK(text_line{8}.column("风", 4).add("x").text() == "风  x");
+    CHECK(wrapped("风机 泵", 1) == std::vector<std::string>{"风", "机", "泵"});
+    // By other sources: EastAsianWidth.txt, and what xterm does.
+    CHECK(width_of("Aé°µ▁⣿…") == 7);
+    CHECK(width_of("⚡✅한ア（𠀀🔧") == 14);
+    CHECK(width_of("ア\u3099\u200B") == 2);
 }

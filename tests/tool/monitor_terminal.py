@@ -14,6 +14,7 @@ import struct
 import subprocess
 import tempfile
 import termios
+import unicodedata
 
 from screen import LIMIT, Screen
 from support import runs, soon
@@ -124,6 +125,15 @@ def sizes(tool, check):
             page.resize(width, height)
             page.type("q")
             check(page.end() == 0 and page.is_restored(), f"{width}x{height}: q", page.raw[-80:])
+    # Marks and wide characters move no column.
+    named = [tool, "--port", "sim:atv320:7,atv320:3", "--no-listen", "--name", "\u98ce\u673a=7", "--name", "e\u0301te\u0301=3", "monitor"]
+    with Screen(named, LC_ALL="xx_XX.utf8") as page:
+        check(page.until(lambda: page.text.count("switch on disabled") >= 2), "names of others", page.text)
+        rows = [[page.shown.buffer[row][column].data for column in range(80)] for row in range(24)]
+        unit = "".join(next(each for each in rows if "".join(each).startswith(" name "))).index("unit")
+        for name, address in (("\u98ce", "7"), ("e\u0301", "3")):
+            row = next(each for each in rows if each[1] in (name, unicodedata.normalize("NFC", name)))
+            check(row[unit] == address, f"unit {address} stands in its column", row)
     with Screen([tool, *WORDS], 0, 0) as page:
         page.shown.resize(24, 80)
         check(page.until_shown(STATE) and page.lines[23].startswith("q quit"), "a terminal without a size has 80x24", page.text)

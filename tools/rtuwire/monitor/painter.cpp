@@ -7,32 +7,29 @@
 #include <utility>
 
 #include "output/plain_text.hpp"
+#include "output/width.hpp"
 
 namespace tool {
-
-namespace {
-
-/// The bytes of the first character.
-std::string_view first_of(std::string_view text)
-{
-    auto const continues = [](char each) { return (static_cast<unsigned char>(each) & 0xC0U) == 0x80U; };
-    bool const is_long = static_cast<unsigned char>(text.front()) >= 0xC0;
-    auto const end = is_long ? std::find_if_not(text.begin() + 1, text.end(), continues) : text.begin() + 1;
-    return text.substr(0, static_cast<std::size_t>(end - text.begin()));
-}
-
-} // namespace
 
 painter::cells painter::cells_of(text_line const& line, std::size_t width) const
 {
     cells all;
+    std::size_t used = 0;
     for (text_piece const& piece : line.pieces()) {
-        for (std::string_view left = piece.text; not left.empty() and all.size() < width;) {
-            std::string_view const character = first_of(left);
+        for (std::string_view left = piece.text; not left.empty();) {
+            std::string_view const character = first_character(left);
             left.remove_prefix(character.size());
-            bool const is_shown = character.size() == 1 or has_utf8_;
-            all.push_back({is_shown and plain_text(character) == character ? std::string{character} : "?", piece.how,
-                           line.is_selected()});
+            bool const is_shown = (character.size() == 1 or has_utf8_) and plain_text(character) == character;
+            std::string const text{is_shown ? character : "?"};
+            used += width_of(text);
+            if (used > width) {
+                return all;
+            }
+            if (width_of(text) == 0 and not all.empty()) {
+                all.back().text += text;
+            } else {
+                all.push_back({text, piece.how, line.is_selected()});
+            }
         }
     }
     while (not all.empty() and all.back() == cell{" ", look::plain, false}) {

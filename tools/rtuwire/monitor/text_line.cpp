@@ -10,16 +10,18 @@ namespace tool {
 
 namespace {
 
-bool continues(char each) { return (static_cast<unsigned char>(each) & 0xC0U) == 0x80U; }
-
-/// The bytes of so many characters from the beginning.
-std::size_t prefix_size(std::string_view text, std::size_t characters)
+/// The bytes of so many columns from the beginning.
+std::size_t prefix_size(std::string_view text, std::size_t columns)
 {
     std::size_t end = 0;
-    for (; end < text.size(); ++end) {
-        if (not continues(text[end]) and characters-- == 0) {
+    while (end < text.size()) {
+        std::string_view const character = first_character(text.substr(end));
+        std::size_t const width = width_of(character);
+        if (width > columns) {
             break;
         }
+        columns -= width;
+        end += character.size();
     }
     return end;
 }
@@ -44,7 +46,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width)
     while (not text.empty() and width > 0) {
         std::size_t end = text.size();
         if (width_of(text) > width) {
-            end = prefix_size(text, width);
+            end = std::max(prefix_size(text, width), first_character(text).size());
             std::size_t const space = text.rfind(' ', end);
             end = space == std::string_view::npos or space == 0 ? end : space;
         }

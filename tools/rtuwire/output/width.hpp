@@ -8,15 +8,10 @@
 
 namespace tool {
 
-/// One for each character; the texts of this tool have none that takes two.
-inline std::size_t width_of(std::string_view text)
-{
-    std::size_t width = 0;
-    for (char const each : text) {
-        bool const continues = (static_cast<unsigned char>(each) & 0xC0U) == 0x80U;
-        width += continues ? 0U : 1U;
-    }
-    return width;
-}
+/// The bytes of the first character of a text that is not empty; of what is no UTF-8, the first byte at least.
+std::string_view first_character(std::string_view text);
+
+/// Two for each character of East Asia and for pictures, none for what stands on the letter before it, one for all else.
+std::size_t width_of(std::string_view text);
 
 } // namespace tool
