@@ -400,6 +400,35 @@ TEST_CASE("a stored register is written once a minute at most")
     CHECK(on.line.units[0].written == 4);
 }
 
+TEST_CASE("a stored register keeps its interval in another line and under another name, also where its write was lost")
+{
+    rounds_on_line on{1};
+    on.run_for(5s);
+    on.line.loses_port_in_write = true;
+    on.submit(level, "1");
+    on.run_for(100ms);
+    CHECK(on.answer().result == setting_result::failed); // written or not, nobody knows
+    on.line.loses_port_in_write = false;
+    on.line.is_gone = false;
+    on.run_for(20s);
+
+    line_plan renamed = on.plan;
+    renamed.name = "line2";
+    renamed.devices[0].name = "other";
+    line_board board{renamed, true, [] {}};
+    line_rounds again{renamed, on.line, board, on.stored};
+    for (auto const end = on.line.now() + 2s; on.line.now() < end;) {
+        again.step();
+    }
+    board.submit({0, level, "2", on.line.unix_time() + 10'000'000}, on.line.unix_time(), on.line.now());
+    again.step();
+    std::vector<setting_answer> const soon = board.take_answers();
+    REQUIRE(soon.size() == 1);
+    CHECK(soon[0].result == setting_result::refused);
+    CHECK(soon[0].why.find("60 s lie between two") != std::string::npos);
+    CHECK(on.line.units[0].written == 1);
+}
+
 TEST_CASE("for a device or a port that is away a setting fails at once, and comes to nothing later")
 {
     rounds_on_line on{1};

@@ -96,7 +96,7 @@ std::string device_text(std::string const& name, unsigned unit, std::string cons
 /// Lines of a folder of their own; writes are noted there.
 class lines_of_folder {
 public:
-    explicit lines_of_folder(bool may_write = true) : lines{may_write, [this] { ++news; }}
+    explicit lines_of_folder(bool may_write = true) : lines{may_write, stored, [this] { ++news; }}
     {
         file = folder.write("meter.toml", served_meter);
         ::setenv("XDG_STATE_HOME", folder.path("").c_str(), 1);
@@ -112,6 +112,7 @@ public:
     scratch_folder folder{};
     std::string file{};
     std::atomic<unsigned long> news{0};
+    stored_writes stored{folder.path("state"), "/etc/one.toml", unix_now(), stored_writes::clock::now()};
     running_lines lines;
 };
 

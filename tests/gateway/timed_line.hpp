@@ -14,6 +14,7 @@
 #include "../../tools/gateway/asked_line.hpp"
 #include "../../tools/gateway/line_board.hpp"
 #include "../../tools/gateway/line_rounds.hpp"
+#include "gateway/scratch_folder.hpp"
 
 namespace gateway_test {
 
@@ -85,11 +86,11 @@ public:
         return found;
     }
 
-    setting_outcome write(setting_request const& request_, std::function<bool()> const& is_expired) override
+    setting_outcome write(setting_request const& request_, setting_look const& last_look) override
     {
         pass(before_write);
-        if (is_expired()) {
-            return {setting_result::expired, "late"};
+        if (auto const stopped = last_look()) {
+            return *stopped;
         }
         refuse_lost();
         unit& asked = units[request_.device];
@@ -158,7 +159,8 @@ inline line_plan plan_of(std::size_t devices)
 /// A line with its rounds.
 struct rounds_on_line {
     explicit rounds_on_line(std::size_t devices, bool may_write = true)
-        : plan{plan_of(devices)}, line{plan}, board{plan, may_write, [this] { ++news; }}, rounds{plan, line, board}
+        : plan{plan_of(devices)}, line{plan}, board{plan, may_write, [this] { ++news; }},
+          stored{folder.path("."), "/etc/one.toml", line.unix_time(), line.now()}, rounds{plan, line, board, stored}
     {}
 
     void run_for(asked_line::clock::duration time)
@@ -195,6 +197,8 @@ struct rounds_on_line {
     timed_line line;
     unsigned long news{0};
     line_board board;
+    scratch_folder folder{};
+    stored_writes stored;
     line_rounds rounds;
 };
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,9 @@ struct setting_outcome {
     bool was_sent{false}; ///< a frame has left that writes
 };
 
+/// Why a setting may not be written after all; nothing where it may.
+using setting_look = std::function<std::optional<setting_outcome>()>;
+
 /// All but the clocks end (`ended`, of whatever status) where the port fails.
 class asked_line {
 public:
@@ -65,8 +69,8 @@ public:
     virtual void close() = 0;
     virtual device_finding identify(std::size_t device) = 0;
     virtual part_reading read(std::size_t part) = 0;
-    /// Once, where all that `write` looks at allows it, and `is_expired` says no just before it leaves.
-    virtual setting_outcome write(setting_request const& request, std::function<bool()> const& is_expired) = 0;
+    /// Once, where all that `write` looks at allows it, and `last_look` has nothing against it just before it leaves.
+    virtual setting_outcome write(setting_request const& request, setting_look const& last_look) = 0;
     /// Since it began, over all that was opened.
     virtual exchange_counts const& counts() const = 0;
 };

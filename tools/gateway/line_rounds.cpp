@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "output/plain_text.hpp"
 
@@ -35,8 +37,8 @@ std::vector<device_part> parts_of(line_plan const& plan)
     return parts;
 }
 
-line_rounds::line_rounds(line_plan const& plan, asked_line& line, line_board& board)
-    : plan_{plan}, line_{line}, board_{board}, devices_(plan.devices.size())
+line_rounds::line_rounds(line_plan const& plan, asked_line& line, line_board& board, stored_writes& stored)
+    : plan_{plan}, line_{line}, board_{board}, stored_{stored}, devices_(plan.devices.size())
 {
     for (device_part& each : parts_of(plan)) {
         clock::duration const period = period_of(each.every);
@@ -291,7 +293,7 @@ void line_rounds::put(std::size_t which)
     board_.put(which, devices_[which].content);
 }
 
-std::string line_rounds::why_not_written(setting_request const& request) const
+std::string line_rounds::why_away(setting_request const& request) const
 {
     device const& to = devices_[request.device];
     if (not state_.is_up) {
@@ -300,11 +302,24 @@ std::string line_rounds::why_not_written(setting_request const& request) const
     if (not to.is_identified or not to.content.is_available) {
         return "the device is away: " + to.content.why;
     }
-    auto const before = written_.find({request.device, request.value});
-    if (before != written_.end() and line_.now() - before->second < least_interval) {
-        return "its device stores it, and its memory bears a limited number of writes: 60 s lie between two";
-    }
     return {};
+}
+
+std::string line_rounds::claim(setting_request const& request)
+{
+    device_plan const& to = plan_.devices[request.device];
+    device_value const& value = to.values[request.value];
+    if (not value.setting->is_stored) {
+        return {};
+    }
+    // By what it is on the line, whatever it is called: other names are no way around the interval.
+    place const& where = value.which.where;
+    std::vector<std::string> registers;
+    for (unsigned i = 0; i < where.size(); ++i) {
+        registers.push_back(plan_.choices.port + ' ' + std::to_string(to.unit.unit.byte()) + ' ' +
+                            std::string{name_of(where.space)} + ':' + std::to_string(where.address + i));
+    }
+    return stored_.claim(registers, line_.unix_time(), line_.now());
 }
 
 void line_rounds::write(waiting_setting const& setting)
@@ -315,23 +330,25 @@ void line_rounds::write(waiting_setting const& setting)
         answer(request, setting_result::expired, "it expired before its turn");
         return;
     }
-    if (std::string const why = why_not_written(request); not why.empty()) {
-        answer(request,
-               state_.is_up and devices_[request.device].is_identified ? setting_result::refused
-                                                                       : setting_result::failed,
-               why);
+    if (std::string const why = why_away(request); not why.empty()) {
+        answer(request, setting_result::failed, why);
         return;
     }
+    setting_look const last_look = [&]() -> std::optional<setting_outcome> {
+        if (std::string const why = is_expired() ? std::string{} : claim(request); not why.empty()) {
+            return setting_outcome{setting_result::refused, why};
+        }
+        if (is_expired()) { // to note it may take its time, too
+            return setting_outcome{setting_result::expired, "it expired before it could be written"};
+        }
+        return std::nullopt;
+    };
     std::optional<setting_outcome> outcome;
     try {
-        outcome = line_.write(request, is_expired);
+        outcome = line_.write(request, last_look);
     } catch (std::exception const& why) {
         answer(request, setting_result::failed, why.what()); // whatever else: it has its answer, and is not tried again
         throw;
-    }
-    device_value const& value = plan_.devices[request.device].values[request.value];
-    if (outcome->was_sent and value.setting->is_stored) {
-        written_[{request.device, request.value}] = line_.now();
     }
     if (outcome->result != setting_result::done) {
         devices_[request.device].heard = {}; // it may say that it is another

@@ -7,14 +7,13 @@
 
 #include <chrono>
 #include <cstddef>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "asked_line.hpp"
 #include "line/asked_less.hpp"
 #include "line_board.hpp"
+#include "stored_writes.hpp"
 
 namespace tool::gateway {
 
@@ -24,12 +23,10 @@ public:
 
     /// So long a step waits at most, so that a setting or an end is not overlooked.
     static constexpr std::chrono::milliseconds longest_wait{50};
-    /// Between two writes to a register that its device stores.
-    static constexpr std::chrono::seconds least_interval{60};
     /// Between two looks at what has another device's place.
     static constexpr std::chrono::seconds wrong_device_pause{60};
 
-    line_rounds(line_plan const& plan, asked_line& line, line_board& board);
+    line_rounds(line_plan const& plan, asked_line& line, line_board& board, stored_writes& stored);
 
     /// What is due next: opens the port, writes a setting, reads a part; else it waits. Where the port fails it is closed, and
     /// opened again in a later step, with growing pauses.
@@ -76,7 +73,9 @@ private:
     void note_silence(std::size_t which, std::string const& why, clock::duration cost);
     void mark_lost(std::size_t which, std::string const& why);
     void write(waiting_setting const& setting);
-    std::string why_not_written(setting_request const& request) const;
+    std::string why_away(setting_request const& request) const;
+    /// Why its device may not be written so soon again; empty where it may, which is noted.
+    std::string claim(setting_request const& request);
     void answer(setting_request const& request, setting_result result, std::string why);
     void put(std::size_t which);
     void tell(event_kind what, std::string const& who, std::string const& text);
@@ -85,13 +84,13 @@ private:
     line_plan const& plan_;
     asked_line& line_;
     line_board& board_;
+    stored_writes& stored_;
     std::vector<part> parts_{};
     std::vector<device> devices_{};
     asked_less port_patience_{1, longest_pause};
     clock::time_point settled_from_{};
     bool was_settled_{false};         ///< behind the round before
     clock::time_point probes_from_{}; ///< a silent one is asked then, at the earliest
-    std::map<std::pair<std::size_t, std::size_t>, clock::time_point> written_{}; ///< of stored registers
     bool was_port_told_{false};
     bool was_overrun_told_{false};
     line_state state_{.why = "not opened yet"};

@@ -174,7 +174,7 @@ part_reading opened_line::read(std::size_t which)
     return found;
 }
 
-setting_outcome opened_line::write(setting_request const& request, std::function<bool()> const& is_expired)
+setting_outcome opened_line::write(setting_request const& request, setting_look const& last_look)
 {
     device_plan const& device = plan_.devices[request.device];
     chosen_register const& which = device.values[request.value].which;
@@ -199,7 +199,7 @@ setting_outcome opened_line::write(setting_request const& request, std::function
             return {why->status == exit_status::refused ? setting_result::refused : setting_result::failed,
                     why->what()};
         }
-        return send(device, values, is_expired);
+        return send(device, values, last_look);
     } catch (ended const& why) {
         if (why.status == exit_status::port) {
             throw;
@@ -210,7 +210,7 @@ setting_outcome opened_line::write(setting_request const& request, std::function
 }
 
 setting_outcome opened_line::send(device_plan const& device, std::vector<value_to_write> const& values,
-                                  std::function<bool()> const& is_expired)
+                                  setting_look const& last_look)
 {
     value_to_write const& value = values[0];
     unit_address const unit = device.unit.unit;
@@ -218,8 +218,8 @@ setting_outcome opened_line::send(device_plan const& device, std::vector<value_t
     if (before.why == errc::none and value.is_held_by(before.words)) {
         return {setting_result::done, "it is " + value.text + " already, and is not written again"};
     }
-    if (is_expired()) {
-        return {setting_result::expired, "it expired before it could be written"};
+    if (auto stopped = last_look()) {
+        return std::move(*stopped);
     }
     std::string note;
     // Once: what became of a request without a response is read, and nothing is written again.

@@ -25,7 +25,7 @@ public:
     void close() override { line_.reset(); }
     device_finding identify(std::size_t device) override;
     part_reading read(std::size_t part) override;
-    setting_outcome write(setting_request const& request, std::function<bool()> const& is_expired) override;
+    setting_outcome write(setting_request const& request, setting_look const& last_look) override;
     exchange_counts const& counts() const override { return counts_; }
 
 private:
@@ -37,7 +37,7 @@ private:
     /// Why what answers there is not what the file says; empty where it is.
     std::string why_wrong(device_plan const& device);
     setting_outcome send(device_plan const& device, std::vector<value_to_write> const& values,
-                         std::function<bool()> const& is_expired);
+                         setting_look const& last_look);
     slot_value value_of(device_plan const& device, device_value const& value, register_reader const& from) const;
 
     line_plan const& plan_;

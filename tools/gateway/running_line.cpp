@@ -17,8 +17,8 @@ namespace tool::gateway {
 
 class running_line::parts {
 public:
-    parts(std::shared_ptr<line_plan const> which, bool may_write, std::function<void()> on_news)
-        : plan{std::move(which)}, board{*plan, may_write, std::move(on_news)}
+    parts(std::shared_ptr<line_plan const> which, bool may_write, stored_writes& stored, std::function<void()> on_news)
+        : plan{std::move(which)}, board{*plan, may_write, std::move(on_news)}, stored_{stored}
     {
         without_signals const kept;
         thread_ = std::thread{[this] { run(); }};
@@ -43,19 +43,21 @@ private:
     void run()
     {
         opened_line line{*plan};
-        line_rounds rounds{*plan, line, board};
+        line_rounds rounds{*plan, line, board, stored_};
         while (not shall_end_) {
             rounds.step();
         }
         rounds.end();
     }
 
+    stored_writes& stored_;
     std::atomic<bool> shall_end_{false};
     std::thread thread_{};
 };
 
-running_line::running_line(std::shared_ptr<line_plan const> plan, bool may_write, std::function<void()> on_news)
-    : parts_{std::make_unique<parts>(std::move(plan), may_write, std::move(on_news))}
+running_line::running_line(std::shared_ptr<line_plan const> plan, bool may_write, stored_writes& stored,
+                           std::function<void()> on_news)
+    : parts_{std::make_unique<parts>(std::move(plan), may_write, stored, std::move(on_news))}
 {}
 
 running_line::~running_line() = default;
@@ -79,8 +81,8 @@ void running_line::end() { parts_->end(); }
 
 void running_line::finish() { parts_->finish(); }
 
-running_lines::running_lines(bool may_write, std::function<void()> on_news)
-    : may_write_{may_write}, on_news_{std::move(on_news)}
+running_lines::running_lines(bool may_write, stored_writes& stored, std::function<void()> on_news)
+    : may_write_{may_write}, stored_{stored}, on_news_{std::move(on_news)}
 {}
 
 running_lines::~running_lines() { finish(); }
@@ -110,7 +112,7 @@ void running_lines::apply(gateway_plan const& plan, std::function<void(running_l
     lines_.clear(); // a port is free before its new line opens it
     for (std::size_t i = 0; i < next.size(); ++i) {
         if (next[i] == nullptr) {
-            next[i] = std::make_shared<running_line>(plan.lines[i], may_write_, on_news_);
+            next[i] = std::make_shared<running_line>(plan.lines[i], may_write_, stored_, on_news_);
         }
     }
     lines_ = std::move(next);

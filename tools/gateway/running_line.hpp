@@ -16,6 +16,7 @@
 #include "device_slot.hpp"
 #include "gateway_file.hpp"
 #include "setting_request.hpp"
+#include "stored_writes.hpp"
 
 namespace tool::gateway {
 
@@ -63,7 +64,8 @@ class running_line {
 public:
     /// Begins at once. `on_news` is called from the line's thread after each change of a slot, an answer and an event; it
     /// must neither block nor throw.
-    running_line(std::shared_ptr<line_plan const> plan, bool may_write, std::function<void()> on_news);
+    running_line(std::shared_ptr<line_plan const> plan, bool may_write, stored_writes& stored,
+                 std::function<void()> on_news);
     running_line(running_line const&) = delete;
     running_line& operator=(running_line const&) = delete;
     /// Ends behind the request that is under way.
@@ -95,7 +97,8 @@ private:
 /// All lines of a gateway.
 class running_lines {
 public:
-    running_lines(bool may_write, std::function<void()> on_news);
+    /// `stored` lives longer.
+    running_lines(bool may_write, stored_writes& stored, std::function<void()> on_news);
     running_lines(running_lines const&) = delete;
     running_lines& operator=(running_lines const&) = delete;
     ~running_lines();
@@ -112,6 +115,7 @@ public:
 
 private:
     bool may_write_;
+    stored_writes& stored_;
     std::function<void()> on_news_;
     std::vector<std::shared_ptr<running_line>> lines_{};
 };

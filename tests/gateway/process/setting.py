@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Settings from MQTT: what is written, what never is, and what each command is answered.
 
-    python3 setting.py GATEWAY TOOL done|refused|moments|hung|cuts|drive
+    python3 setting.py GATEWAY TOOL done|stored|refused|moments|hung|cuts|drive
 
 Behind `cuts`: all, for every moment with both qualities of service.
 """
@@ -88,6 +88,50 @@ def done(check, program, _):
             check(len(line.writes) == tried and line.units[3][10] == 225, "the command is not carried out later", line.writes[before:])
             check("set_point" in gateway.said(), "a write is told to people")
             check(gateway.end() == 0, "it ends")
+
+
+def stored(check, program, _):
+    """The interval of a register that its device stores outlives the line, the gateway, and a clock that was set back."""
+    with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        record = folder / "state" / "written.json"
+        with Gateway(program, folder, the_file(broker, line), "--write") as gateway:
+            check(flows(client), "values come")
+            ask = Asking(check, client)
+            ask.expect("kept", 500, ("done",), "a stored register")
+            since = time.time()
+            gateway.reload(the_file(broker, line, every=0.4))
+            check(soon(lambda: "read again" in gateway.said(), LIMIT) and flows(client, since=since, count=3), "its line begins anew")
+            ask.expect("kept", 501, ("refused",), "behind a reload", "60 s lie between two")
+            check(gateway.end() == 0, "it ends")
+        client.messages.clear()
+        with Gateway(program, folder, the_file(broker, line), "--write") as gateway:
+            check(flows(client), "values come again")
+            ask.expect("kept", 502, ("refused",), "behind a restart", "60 s lie between two")
+            gateway.kill()
+        check(len(line.writes) == 1, "it was written once", line.writes)
+        # Noted an hour ahead: it waits, and no longer than a minute.
+        noted = json.loads(record.read_text(encoding="utf-8"))
+        for each in noted.values():
+            each.update({which: moment(time.time() + 3600) for which in each})
+        record.write_text(json.dumps(noted), encoding="utf-8")
+        client.messages.clear()
+        begins = time.time()
+        with Gateway(program, folder, the_file(broker, line), "--write") as gateway:
+            check(flows(client), "values come again")
+            ask.expect("kept", 503, ("refused",), "a clock that was set back", "60 s lie between two")
+            time.sleep(max(0.0, begins + 63 - time.time()))
+            ask.expect("kept", 504, ("done",), "a minute later")
+            gateway.kill()
+        record.write_text("{", encoding="utf-8")
+        (folder / "state" / "published.json").write_text("[1", encoding="utf-8")
+        client.messages.clear()
+        with Gateway(program, folder, the_file(broker, line), "--write") as gateway:
+            check(flows(client), "values come again")
+            ask.expect("kept", 505, ("refused",), "behind a record that was damaged", "60 s lie between two")
+            for name in ("written.json", "published.json"):
+                check(f"{name}: it is damaged, and begun anew" in gateway.said(), f"{name} is said to be damaged")
+                check((folder / "state" / f"{name}.damaged").exists(), "and kept")
+            check(len(line.writes) == 2, "nothing was written in between", line.writes)
 
 
 def refused(check, program, _):
@@ -247,7 +291,7 @@ def drive(check, program, tool):
 
 
 def main(check, program, tool, part, *more):
-    {"done": done, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
+    {"done": done, "stored": stored, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

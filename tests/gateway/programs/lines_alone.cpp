@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <thread>
 
 #include "running_line.hpp"
@@ -17,7 +18,8 @@ try {
         std::fprintf(stderr, "lines_alone GATEWAY.TOML SECONDS\n");
         return 2;
     }
-    running_lines lines{false, [] {}};
+    stored_writes stored{std::filesystem::temp_directory_path(), argv[1], 0, {}}; // nothing is written
+    running_lines lines{false, stored, [] {}};
     lines.apply(gateway_file_at(argv[1]));
     std::this_thread::sleep_for(std::chrono::duration<double>{std::atof(argv[2])});
     unsigned long available = 0, devices = 0, rounds = 0;

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "state_file.hpp"
+
 namespace tool::gateway {
 
 class published_record {
@@ -17,13 +19,14 @@ public:
     [[nodiscard]] std::set<std::string> const& topics() const { return topics_; }
     /// Why it is not on the disk; empty while it is.
     [[nodiscard]] std::string const& failure() const { return failure_; }
+    /// As of `state_file`.
+    [[nodiscard]] std::string take_damage() { return file_.take_damage(); }
 
     /// Notes these, and no others.
     void keep(std::set<std::string> topics);
 
 private:
-    std::string folder_;
-    std::string owner_;
+    state_file file_;
     std::set<std::string> topics_{};
     std::string failure_{};
 };

@@ -76,8 +76,9 @@ gateway_plan checked_plan(std::string const& file)
 }
 
 mqtt_gateway::mqtt_gateway(gateway_choices const& chosen, gateway_plan plan)
-    : chosen_{chosen}, log_{chosen.has_json}, plan_{std::move(plan)},
-      lines_{chosen.may_write, [this] { news_.ring(); }}, record_{plan_.state_folder, owner_of(chosen.file)},
+    : chosen_{chosen}, log_{chosen.has_json}, plan_{std::move(plan)}, stored_{plan_.state_folder, owner_of(chosen.file),
+                                                                              unix_now(), clock::now()},
+      lines_{chosen.may_write, stored_, [this] { news_.ring(); }}, record_{plan_.state_folder, owner_of(chosen.file)},
       publisher_{chosen.may_write, record_.topics()}, pauses_{plan_.site + '/' + plan_.gateway}
 {
     take_plan(std::move(plan_));
@@ -174,6 +175,7 @@ void mqtt_gateway::connect()
 void mqtt_gateway::look_at_lines()
 {
     std::ranges::for_each(lines_.all(), [this](std::shared_ptr<running_line> const& each) { look_at(*each); });
+    tell_damage();
 }
 
 void mqtt_gateway::look_at(running_line& line)
@@ -351,9 +353,19 @@ void mqtt_gateway::finish_connection()
     is_connected_ = false;
 }
 
+void mqtt_gateway::tell_damage()
+{
+    for (std::string const& each : {record_.take_damage(), stored_.take_trouble()}) {
+        if (not each.empty()) {
+            tell("note", each);
+        }
+    }
+}
+
 void mqtt_gateway::keep_record()
 {
     record_.keep(publisher_.kept());
+    tell_damage();
     if (record_.failure() != told_record_) {
         told_record_ = record_.failure();
         if (not told_record_.empty()) {

@@ -16,6 +16,7 @@
 #include "mqtt/gateway_log.hpp"
 #include "mqtt/wake_up.hpp"
 #include "running_line.hpp"
+#include "stored_writes.hpp"
 
 namespace tool::gateway {
 
@@ -57,6 +58,7 @@ private:
     void finish_connection();
     void lose_connection();
     void keep_record();
+    void tell_damage();
     void tell(std::string name, std::string text) const;
     [[nodiscard]] std::string broker_name() const;
 
@@ -67,6 +69,7 @@ private:
     gateway_plan plan_;
     std::string password_{};
     std::vector<std::shared_ptr<line_plan const>> line_plans_{}; ///< of `lines_`, which may be older than the plan
+    stored_writes stored_;
     running_lines lines_;
     published_record record_;
     publisher publisher_;
