@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "support/catch.hpp"
 
@@ -287,6 +288,32 @@ TEST_CASE("of a drive nothing is a setting that moves its motor, changes how it 
         std::string const why = folder.refusal(with(whole, "ITH", name));
         CAPTURE(name, why);
         CHECK(why.starts_with("gateway.toml:26:13: " + std::string{name} + " cannot be a setting: "));
+    }
+}
+
+TEST_CASE("of a drive nothing is a setting that moves it out of reach, or that changes what watches it")
+{
+    file_folder const folder;
+    struct guarded {
+        std::string_view drive;
+        unsigned unit;
+        std::vector<std::string_view> names;
+    };
+    // By the manuals: each drive's place on its lines, the time-out of its link, and what it does at a loss or a fault.
+    guarded const all[]{
+        {"atv320", 7, {"ADD", "TBR", "TFO", "TTO", "SLL", "COL", "ADCO", "BDCO", "AMOC", "OPL", "OLL", "ETF"}},
+        {"atv12", 7, {"ADD", "TBR", "TFO", "TTO", "SLL", "EPL", "LFL1", "TOL", "PST"}},
+        {"atv310", 7, {"ADD", "TBR", "TFO", "TTO", "SLL"}},
+        {"atv310_2026", 7, {"ADD", "TBR", "TFO", "TTO", "SLL"}},
+        {"atv28", 7, {"ADD", "BDR", "OPL", "IPL", "STP"}}};
+    for (guarded const& each : all) {
+        std::string const text = with(with(whole, "ATV320", each.drive), "\"RFR\", \"ETA.fault\", \"LFT\"", "\"RFR\"");
+        CHECK(folder.refusal(text) == "taken");
+        for (std::string_view const name : each.names) {
+            std::string const why = folder.refusal(with(text, "ITH", name));
+            CAPTURE(each.drive, name, why);
+            CHECK(why.starts_with("gateway.toml:26:13: " + std::string{name} + " cannot be a setting: "));
+        }
     }
 }
 

@@ -190,7 +190,8 @@ TEST_CASE("settings are judged as write judges them, written once and read back"
     setting_answer const equal = answer_of(line, set_point, "21.5");
     CHECK(equal.result == setting_result::done);
     CHECK(equal.why.find("already, and is not written again") != std::string::npos);
-    for (std::string const text : {"31", "4.9", "1e9", "warm", "", "21.5,3", "21.5 m==", "\n22"}) {
+    for (std::string const text :
+         {"31", "4.9", "1e9", "warm", "", "21.5,3", "21.5 m==", "\n22", "#225", "0x00E1", "0XE1", " #225", "+0xE1"}) {
         CAPTURE(text);
         CHECK(answer_of(line, set_point, text).result == setting_result::refused);
     }
@@ -215,24 +216,26 @@ TEST_CASE("a drive is identified before its values count, and another one in its
     CHECK(line.device(0)->values[0].state == value_state::valid);
 }
 
-TEST_CASE("a setting of a drive is checked by its table, and what it does by its value")
+TEST_CASE("a setting of a drive is checked by its table")
 {
     lines_of_folder on;
     on.lines.apply(on.plan(line_text("l1", "sim:atv320:7",
                                      device_text("fan", 7,
                                                  "drive = \"atv320\"\nregisters = [\"RFR\"]\nsettings = [\"ITH\", "
-                                                 "\"SLL\", \"TTO\"]\nfeeds_supervision = true"))));
+                                                 "\"NRD\"]\nfeeds_supervision = true"))));
     running_line& line = on.only();
     REQUIRE(comes([&] { return line.device(0)->is_available; }));
-    constexpr std::size_t ith = 1, sll = 2, tto = 3;
+    constexpr std::size_t ith = 1, nrd = 2;
     cell const before = line.device(0)->values[ith].value;
-    setting_answer const far = answer_of(line, tto, "31s");
-    CAPTURE(far.why);
-    CHECK(far.result == setting_result::refused);
-    setting_answer const off = answer_of(line, sll, "0");
-    CAPTURE(off.why);
-    CHECK(off.result == setting_result::refused);
+    cell const shown = line.device(0)->values[nrd].value;
+    for (std::string const text : {"7000", "-1", "#30", "0x1E", "1.23456"}) {
+        setting_answer const wrong = answer_of(line, ith, text);
+        CAPTURE(text, wrong.why);
+        CHECK(wrong.result == setting_result::refused);
+    }
+    CHECK(answer_of(line, nrd, "#1").result == setting_result::refused);
     CHECK(line.device(0)->values[ith].value == before);
+    CHECK(line.device(0)->values[nrd].value == shown);
     double const next = std::get<double>(before) - 0.1;
     setting_answer const done = answer_of(line, ith, std::to_string(next).substr(0, 4));
     CAPTURE(done.why, next);

@@ -183,6 +183,9 @@ std::string why_no_setting(chosen_register const& which, drive_catalog const* dr
         if (std::string const why = why_it_runs_otherwise(*which.entry); not why.empty()) {
             return "it " + why + ": a motor that runs turns otherwise after it";
         }
+        if (std::string const why = why_it_is_a_guard(*which.entry); not why.empty()) {
+            return "it " + why + ": nobody is there who would see what comes of it";
+        }
         if (takes_orders(*which.entry, *drive)) {
             return "it takes orders, and is no setting";
         }

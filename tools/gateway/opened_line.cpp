@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -44,6 +45,14 @@ std::optional<double> number_of(cell const& value)
     }
     auto const* const count = std::get_if<std::int64_t>(&value);
     return count != nullptr ? std::optional{static_cast<double>(*count)} : std::nullopt;
+}
+
+/// "#25", "0x19": words for whoever looks at registers, ten times the value where its scale is 0.1.
+bool is_raw_count(chosen_register const& which, std::string_view text)
+{
+    text.remove_prefix(std::min(text.find_first_not_of(" +-"), text.size()));
+    return which.where.form.type != value_type::text and
+           (text.starts_with('#') or text.starts_with("0x") or text.starts_with("0X"));
 }
 
 /// Why a value that was read is none; empty where it is one.
@@ -181,6 +190,10 @@ setting_outcome opened_line::write(setting_request const& request, setting_look 
     std::string const label = label_of(which);
     if (request.text.empty() or request.text.size() > 256 or plain_text(request.text) != request.text) {
         return {setting_result::refused, "no value is empty, longer than 256 bytes or has control characters"};
+    }
+    if (is_raw_count(which, request.text)) {
+        return {setting_result::refused, "'" + request.text + "' is a raw count: a setting is a value in the unit of " +
+                                             label + ", or the name of a choice"};
     }
     choices chosen{.line = plan_.choices, .allowed = {.may_write = true, .knows_run = false}};
     chosen.line.unit = std::to_string(device.unit.unit.byte());

@@ -148,6 +148,14 @@ std::string why_it_is_out_of_reach(register_entry const& entry, std::uint16_t wo
                : "";
 }
 
+std::string why_it_is_a_guard(register_entry const& entry)
+{
+    parameter_role const role = role_of(entry);
+    bool const is_guard = role == parameter_role::link or role == parameter_role::link_timeout or
+                          role == parameter_role::other_link or role == parameter_role::supervision;
+    return is_guard ? reason_for(entry) : std::string{};
+}
+
 std::string why_it_is_never_written(register_entry const& entry, std::uint16_t word, drive_catalog const& drive)
 {
     if (entry.address == drive.layout.cmi and word != save_to_eeprom) {

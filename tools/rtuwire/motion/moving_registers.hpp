@@ -34,6 +34,10 @@ std::string why_it_runs_on(std::uint16_t address, std::uint16_t word, drive_cata
 /// stays within reach.
 std::string why_it_is_out_of_reach(register_entry const& entry, std::uint16_t word);
 
+/// Why a register is a guard of a drive that nobody may change unwatched, as what follows its name: its place on a line, the time
+/// after which it misses its controller, its reaction to a fault, a detection. Empty where it is none.
+std::string why_it_is_a_guard(register_entry const& entry);
+
 /// Why this program never writes a value, as what follows "CMI=1": an order that takes settings away. Empty where it
 /// does.
 std::string why_it_is_never_written(register_entry const& entry, std::uint16_t word, drive_catalog const& drive);
