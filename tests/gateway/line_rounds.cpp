@@ -263,6 +263,43 @@ TEST_CASE("a lost port is opened again with growing pauses, and all is marked me
     CHECK(on.line.units[0].identified == 2);
 }
 
+TEST_CASE(
+    "a port that hangs up on each request, as a server of another protocol does, is told once, and each new reason")
+{
+    rounds_on_line on{2};
+    on.line.hangs_up = "closed by the other end";
+    on.run_for(600s);
+    unsigned lost = 0;
+    unsigned opened = 0;
+    for (line_event const& each : on.board.take_events()) {
+        lost += each.what == event_kind::port_lost ? 1U : 0U;
+        opened += each.what == event_kind::port_opened ? 1U : 0U;
+    }
+    CHECK(lost == 1);
+    CHECK(opened == 1);
+    CHECK(on.board.state().opened >= 280); // counted, with pauses of 2 s in the end
+    CHECK(on.board.state().opened <= 320);
+    for (unsigned i = 0; i < 20; ++i) {
+        on.line.hangs_up = i % 2 == 0 ? "reset" : "closed by the other end";
+        on.run_for(5s);
+    }
+    CHECK(on.count(event_kind::port_lost) == 1);
+    on.line.hangs_up.clear();
+    on.run_for(10s);
+    CHECK(on.board.device(0)->is_available);
+    CHECK(on.count(event_kind::port_opened) == 1);
+
+    // Nobody responds: it is open all the same.
+    for (timed_line::unit& each : on.line.units) {
+        each.is_there = false;
+    }
+    on.line.is_gone = true;
+    on.run_for(5s);
+    on.line.is_gone = false;
+    on.run_for(10s);
+    CHECK(on.count(event_kind::port_opened) == 1);
+}
+
 TEST_CASE("a port that was never there is told, and opened when it comes")
 {
     rounds_on_line on{1};

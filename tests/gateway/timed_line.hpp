@@ -114,6 +114,7 @@ public:
     clock::duration before_write{0ms};
     std::chrono::milliseconds listening{0}; ///< before the first request of a line that was opened
     bool is_gone{false};                    ///< the port
+    std::string hangs_up{};                 ///< why it is lost at each request; empty where it is not
     bool loses_port_in_write{false};
     unsigned opens{0};
 
@@ -127,6 +128,10 @@ private:
     bool request(unit const& asked)
     {
         refuse_lost();
+        if (not hangs_up.empty()) {
+            pass(response);
+            throw ended{exit_status::port, hangs_up};
+        }
         ++counts_.asked;
         counts_.silent += asked.is_there ? 0U : 1U;
         pass((asked.is_there ? response : timeout) + (std::exchange(has_listened_, true) ? 0ms : listening));

@@ -66,6 +66,9 @@ void line_rounds::act()
     }
     clock::time_point const now = line_.now();
     if (state_.is_up) {
+        if (not told_losses_.empty() and now - opened_at_ >= longest_doubt) {
+            confirm_port();
+        }
         ask_parts(now);
     } else if (port_patience_.is_due(now)) {
         open();
@@ -90,16 +93,24 @@ void line_rounds::open()
 {
     line_.open();
     clock::time_point const now = line_.now();
-    port_patience_.note(true, now);
+    opened_at_ = now;
     state_.is_up = true;
     state_.why.clear();
     ++state_.opened;
-    was_port_told_ = false;
     was_settled_ = false;
-    tell(event_kind::port_opened, {}, "its port is open: " + plan_.choices.port);
+    if (told_losses_.empty()) {
+        confirm_port();
+    }
     for (part& each : parts_) {
         each.due = now;
     }
+}
+
+void line_rounds::confirm_port()
+{
+    port_patience_.note(true, line_.now());
+    told_losses_.clear();
+    tell(event_kind::port_opened, {}, "its port is open: " + plan_.choices.port);
 }
 
 void line_rounds::lose_port(std::string const& why)
@@ -108,10 +119,10 @@ void line_rounds::lose_port(std::string const& why)
     state_.is_up = false;
     state_.why = why;
     port_patience_.note(false, line_.now());
-    if (not was_port_told_) {
+    if (told_losses_.size() < most_reasons and std::ranges::count(told_losses_, why) == 0) {
+        told_losses_.push_back(why);
         tell(event_kind::port_lost, {}, why);
     }
-    was_port_told_ = true;
     for (std::size_t i = 0; i < devices_.size(); ++i) {
         devices_[i].patience = asked_less{misses_allowed, longest_pause};
         devices_[i].misses = 0;
@@ -208,6 +219,9 @@ bool line_rounds::identify(std::size_t which)
     }
     one.patience.note(true, line_.now());
     one.misses = 0;
+    if (not told_losses_.empty()) {
+        confirm_port();
+    }
     if (found.what == device_finding::kind::wrong) {
         one.wrong_until = line_.now() + wrong_device_pause;
         if (one.content.why != found.why) {

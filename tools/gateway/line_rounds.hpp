@@ -53,11 +53,15 @@ private:
 
     static constexpr unsigned misses_allowed = 2;
     static constexpr std::chrono::seconds longest_unheard{3}; ///< behind which another may be in a device's place
+    static constexpr std::chrono::seconds longest_doubt{5};   ///< of a port that was opened again
+    static constexpr std::size_t most_reasons = 4;            ///< of a loss, that are told until it is confirmed
     static constexpr std::chrono::seconds longest_pause{2};   ///< so that who is back is so within 3 s
 
     void act();
     void open();
     void lose_port(std::string const& why);
+    /// Somebody responded on it, or it has been open for a while: it is no port that hangs up on each request.
+    void confirm_port();
     void ask_parts(clock::time_point now);
     bool may_ask(device const& which, clock::time_point now) const;
     bool has_live_ones() const;
@@ -91,7 +95,8 @@ private:
     clock::time_point settled_from_{};
     bool was_settled_{false};         ///< behind the round before
     clock::time_point probes_from_{}; ///< a silent one is asked then, at the earliest
-    bool was_port_told_{false};
+    clock::time_point opened_at_{};
+    std::vector<std::string> told_losses_{}; ///< why the port is away, as it was told since it was confirmed
     bool was_overrun_told_{false};
     line_state state_{.why = "not opened yet"};
 };
