@@ -9,6 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "support/catch.hpp"
 
 #include <rtuwire/sim.hpp>
@@ -338,19 +341,83 @@ TEST_CASE("a password is read from a file that not everybody reads")
     std::string const text = with(with(whole, "settings = [\"ITH\"]\n", ""), "host = \"127.0.0.1\"",
                                   "user = \"u\"\npassword_file = \"password\"");
     std::string const name = folder.write("gateway.toml", text);
+    std::string const place = name + ":5:17: password_file: ";
 
     fs::permissions(file, fs::perms::owner_read | fs::perms::group_read);
     CHECK(password_of(gateway_file_at(name).broker) == "se cret");
     for (fs::perms const each : {fs::perms::others_read, fs::perms::others_write}) {
         fs::permissions(file, fs::perms::owner_read | each);
         CHECK_THROWS_WITH(gateway_file_at(name),
-                          file + ": anybody may read or change this password; say chmod o= " + file);
+                          place + file + ": anybody may read or change this password; say chmod o= " + file);
     }
     fs::remove(file);
-    CHECK_THROWS_WITH(gateway_file_at(name), file + ": No such file or directory");
+    CHECK_THROWS_WITH(gateway_file_at(name), place + file + ": No such file or directory");
     folder.write("password", "two\nlines\n");
     fs::permissions(file, fs::perms::owner_read);
-    CHECK_THROWS_WITH(gateway_file_at(name), file + ": it holds the password alone, on one line of at most 1024 bytes");
+    CHECK_THROWS_WITH(gateway_file_at(name),
+                      place + file + ": it holds the password alone, on one line of at most 1024 bytes");
+}
+
+TEST_CASE("what is no regular file, or waits for more, is refused at once with the key that names it")
+{
+    file_folder const folder;
+    std::string const right = with(whole, "settings = [\"ITH\"]\n", "");
+    std::string const pipe = folder.path("pipe");
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    folder.write("pem", "x");
+    fs::permissions(folder.path("pem"), fs::perms::owner_read);
+    std::vector<std::pair<std::string, std::string>> wrong{{pipe, "is a pipe, no regular file"},
+                                                           {"/dev/zero", "is a device, no regular file"},
+                                                           {folder.path(""), "is a directory, no regular file"},
+                                                           {folder.path("nothing"), "No such file or directory"}};
+    if (::access("/proc/kmsg", R_OK) == 0) { // by root's programs alone
+        wrong.emplace_back("/proc/kmsg", "");
+    }
+    for (auto const& [file, why] : wrong) {
+        CAPTURE(file);
+        CHECK(folder.refusal(with(right, "\"meter.toml\"", '"' + file + '"'))
+                  .starts_with("gateway.toml:17:8: " + file + ": " + why));
+        if (file != folder.path("nothing")) {
+            CHECK_THROWS_WITH(gateway_file_at(file), Catch::Matchers::StartsWith(file + ": " + why));
+        }
+        for (std::string const key : {"password_file", "ca_file", "cert_file", "key_file"}) {
+            std::string keys = "user = \"u\"";
+            for (std::string const each : {"ca_file", "cert_file", "key_file"}) {
+                keys += each == key ? "" : "\n" + each + " = \"pem\"";
+            }
+            std::string const name =
+                folder.write("gateway.toml", with(right, "host = \"127.0.0.1\"", key + " = \"" + file + "\"\n" + keys));
+            CAPTURE(key);
+            CHECK_THROWS_WITH(gateway_file_at(name),
+                              Catch::Matchers::StartsWith(name + ":4:" + std::to_string(key.size() + 4) + ": " + key +
+                                                          ": " + file + ": " + why));
+        }
+    }
+    std::string const name =
+        folder.write("gateway.toml",
+                     with(right, "host = \"127.0.0.1\"", "ca_file = \"pem\"\ncert_file = \"pem\"\nkey_file = \"pem\""));
+    CHECK_NOTHROW(gateway_file_at(name));
+    fs::permissions(folder.path("pem"), fs::perms::owner_read | fs::perms::others_read);
+    CHECK_THROWS_WITH(gateway_file_at(name),
+                      Catch::Matchers::StartsWith(name + ":6:12: key_file: " + folder.path("pem") +
+                                                  ": anybody may read or change this key"));
+}
+
+TEST_CASE("a broker's host is a name or an address")
+{
+    file_folder const folder;
+    std::string const right = with(whole, "settings = [\"ITH\"]\n", "");
+    for (std::string const host : {"broker", "broker.example.org", "broker.example.org.", "a_b", "192.0.2.7", "::1",
+                                   "fe80::1%eth0", "3com.example"}) {
+        CAPTURE(host);
+        CHECK(folder.refusal(with(right, "127.0.0.1", host)) == "taken");
+    }
+    for (std::string const host : {"mqtt://broker", "broker:1883", "broker/x", "a b", "-a", "a..b", ".", "1.2.3",
+                                   "256.1.1.1", "[::1]", "1::2::3", "bÃ¶se"}) {
+        CAPTURE(host);
+        CHECK(folder.refusal(with(right, "127.0.0.1", host))
+                  .starts_with("gateway.toml:4:8: host is a name or an address"));
+    }
 }
 
 TEST_CASE("each of 3000 drawn changes of a right file is taken, or refused with a place")

@@ -3,6 +3,7 @@
 #include "gateway_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -10,6 +11,8 @@
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include <arpa/inet.h>
 
 #include "catalog/value_text.hpp"
 #include "device/device_folders.hpp"
@@ -25,6 +28,7 @@
 #include "port/port_word.hpp"
 #include "words/place_value.hpp"
 #include "words/suggestion.hpp"
+#include "words/words.hpp"
 
 namespace tool::gateway {
 
@@ -43,6 +47,24 @@ choices const nobody_allows{.allowed = {.may_write = true, .knows_run = false}};
 bool is_topic_letter(char c)
 {
     return (c >= 'a' and c <= 'z') or (c >= 'A' and c <= 'Z') or (c >= '0' and c <= '9') or c == '-' or c == '_';
+}
+
+/// A name by its syntax, or an address. What has digits and points alone is an address, or nothing.
+bool is_host(std::string const& text)
+{
+    std::array<unsigned char, sizeof(in6_addr)> address{};
+    if (::inet_pton(AF_INET6, text.substr(0, text.find('%')).c_str(), address.data()) == 1 or
+        ::inet_pton(AF_INET, text.c_str(), address.data()) == 1) {
+        return true;
+    }
+    auto const is_label = [](std::string_view label) {
+        return not label.empty() and label.size() <= 63 and label.front() != '-' and label.back() != '-' and
+               std::ranges::all_of(label, is_topic_letter);
+    };
+    std::vector<std::string_view> const labels =
+        tool::parts_of(std::string_view{text}.substr(0, text.size() - (text.ends_with('.') ? 1 : 0)), ".");
+    bool const has_letter = text.find_first_not_of("0123456789.") != text.npos;
+    return has_letter and text.size() <= 253 and std::ranges::all_of(labels, is_label);
 }
 
 /// What a label is as a part of a topic: "ETA.fault" is ETA_fault.
@@ -195,7 +217,9 @@ std::string why_no_setting(chosen_register const& which, drive_catalog const* dr
 
 class plan_reader : toml_values {
 public:
-    plan_reader(std::string const& file, std::string const& text) : toml_values{file}, text_{text}
+    /// `looks_at_files`: at those of the broker, too.
+    plan_reader(std::string const& file, std::string const& text, bool looks_at_files)
+        : toml_values{file}, text_{text}, looks_at_files_{looks_at_files}
     {
         plan_.file = file;
         folder_ = std::filesystem::path{file}.parent_path();
@@ -275,6 +299,10 @@ private:
                    {"host", "port", "user", "password_file", "ca_file", "cert_file", "key_file", "discovery"});
         broker_choices& to = plan_.broker;
         to.host = plain_in(*broker, "host").value_or(to.host);
+        if (not is_host(to.host)) {
+            refuse(place_of(*broker, "host"), "host is a name or an address: \"broker.example.org\", \"192.0.2.7\", "
+                                              "\"2001:db8::7\"; its port is a key of its own, and ca_file means TLS");
+        }
         to.port = whole_in(*broker, "port", 1, 65'535).value_or(to.port);
         to.user = plain_in(*broker, "user").value_or("");
         to.password_file = path_in(*broker, "password_file");
@@ -290,6 +318,9 @@ private:
         if (to.ca_file.empty() and not to.cert_file.empty()) {
             refuse(place_of(*broker, "cert_file"), "a certificate goes with TLS: say ca_file = \"...\"");
         }
+        if (looks_at_files_) {
+            look_at_files(*broker);
+        }
         to.discovery = text_in(*broker, "discovery").value_or(to.discovery);
         bool const is_prefix = to.discovery.size() <= longest_word and not to.discovery.starts_with('/') and
                                not to.discovery.ends_with('/') and not to.discovery.starts_with('$') and
@@ -302,6 +333,30 @@ private:
         if (not to.password_file.empty() and to.ca_file.empty() and not is_near) {
             plan_.notes.push_back("the password passes the network to " + to.host +
                                   " as it is: ca_file = \"...\" hides it by TLS");
+        }
+    }
+
+    void look_at_files(toml::table const& broker) const
+    {
+        broker_choices const& said = plan_.broker;
+        auto const refuse_key = [&](std::string_view key, std::string const& why) {
+            refuse(place_of(broker, key), std::string{key} + ": " + why);
+        };
+        try {
+            static_cast<void>(password_of(said));
+        } catch (ended const& why) {
+            refuse_key("password_file", why.what());
+        }
+        std::pair<std::string_view, std::string const&> const files[]{
+            {"ca_file", said.ca_file}, {"cert_file", said.cert_file}, {"key_file", said.key_file}};
+        for (auto const& [key, path] : files) {
+            if (std::string const why = path.empty() ? "" : text_of_file(path).failure; not why.empty()) {
+                refuse_key(key, path + ": " + why);
+            }
+        }
+        if (not said.key_file.empty() and is_open_to_all(said.key_file)) {
+            refuse_key("key_file",
+                       said.key_file + ": anybody may read or change this key; say chmod o= " + said.key_file);
         }
     }
 
@@ -570,6 +625,7 @@ private:
     }
 
     std::string const& text_;
+    bool looks_at_files_;
     gateway_plan plan_{};
     std::filesystem::path folder_{};
     std::map<std::string, unsigned, std::less<>> line_names_{};
@@ -579,18 +635,11 @@ private:
     std::map<std::string, std::pair<std::string, std::shared_ptr<named_places const>>> register_files_{};
 };
 
-void refuse_unreadable_file(std::string const& path)
-{
-    if (std::string const why = path.empty() ? "" : text_of_file(path).failure; not why.empty()) {
-        refuse_word(path + ": " + why);
-    }
-}
-
 } // namespace
 
 gateway_plan read_gateway_file(std::string const& file, std::string const& text)
 {
-    return plan_reader{file, text}.run();
+    return plan_reader{file, text, false}.run();
 }
 
 gateway_plan gateway_file_at(std::string const& file)
@@ -599,12 +648,7 @@ gateway_plan gateway_file_at(std::string const& file)
     if (not found.failure.empty()) {
         refuse_word(file + ": " + found.failure);
     }
-    gateway_plan plan = read_gateway_file(file, found.text);
-    static_cast<void>(password_of(plan.broker));
-    refuse_unreadable_file(plan.broker.ca_file);
-    refuse_unreadable_file(plan.broker.cert_file);
-    refuse_unreadable_file(plan.broker.key_file);
-    return plan;
+    return plan_reader{file, found.text, true}.run();
 }
 
 void show_plan(gateway_plan const& plan, output_form form)

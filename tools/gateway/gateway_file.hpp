@@ -87,11 +87,15 @@ struct gateway_plan {
 /// column.
 gateway_plan read_gateway_file(std::string const& file, std::string const& text);
 
-/// The same of a file, with all files that it names: that they can be read, and that not everybody reads the password.
+/// The same of a file, with all files that it names: that they are regular ones that can be read, and that not everybody reads
+/// the password and the key.
 gateway_plan gateway_file_at(std::string const& file);
 
 /// The password of its file, without the end of its line; empty where there is none. Never shown, never logged.
 std::string password_of(broker_choices const& broker);
+
+/// Whether others than its owner and its group may read or change a file.
+bool is_open_to_all(std::string const& file);
 
 /// What --check prints: a row for each value.
 void show_plan(gateway_plan const& plan, output_form form);

@@ -15,16 +15,24 @@ constexpr std::size_t longest_password = 1'024;
 
 } // namespace
 
+bool is_open_to_all(std::string const& file)
+{
+    namespace fs = std::filesystem;
+    std::error_code failure;
+    fs::perms const allowed = fs::status(file, failure).permissions();
+    return not failure and (allowed & fs::perms::others_all) != fs::perms::none;
+}
+
 std::string password_of(broker_choices const& broker)
 {
     std::string const& file = broker.password_file;
     if (file.empty()) {
         return {};
     }
-    namespace fs = std::filesystem;
-    std::error_code failure;
-    fs::perms const allowed = fs::status(file, failure).permissions();
-    if (not failure and (allowed & fs::perms::others_all) != fs::perms::none) {
+    if (std::string const why = why_no_regular_file(file); not why.empty()) {
+        refuse_word(file + ": " + why);
+    }
+    if (is_open_to_all(file)) {
         refuse_word(file + ": anybody may read or change this password; say chmod o= " + file);
     }
     file_text found = text_of_file(file);

@@ -52,7 +52,9 @@ file_text text_of_file(std::string const& path)
     if (std::string const why = why_no_regular_file(path); not why.empty()) {
         return {{}, why};
     }
-    open_file const file{std::fopen(path.c_str(), "rbe"), &std::fclose};
+    // Nor does one wait for more, as /proc/kmsg does, which calls itself a regular file.
+    int const descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    open_file const file{descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"), &std::fclose};
     if (not file) {
         return {{}, std::strerror(errno), errno == ENOENT};
     }
@@ -64,7 +66,10 @@ file_text text_of_file(std::string const& path)
             return {{}, "is larger than 64 MiB"};
         }
     }
-    return std::ferror(file.get()) != 0 ? file_text{{}, std::strerror(errno)} : found;
+    if (std::ferror(file.get()) != 0) {
+        return {{}, errno == EAGAIN ? "has no end: it waits for more" : std::strerror(errno)};
+    }
+    return found;
 }
 
 std::string text_to_resume(std::string const& path)
