@@ -7,7 +7,6 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/host_lookup.hpp>
 #include <rtuwire/port/mbap.hpp>
 #include <rtuwire/port/mbap_listener.hpp>

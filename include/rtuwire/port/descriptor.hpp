@@ -1,29 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A POSIX file descriptor of a serial line: owned, read and written with deadlines. Turns every failure into
+// A POSIX file descriptor of a line, on Windows a socket: owned, read and written with deadlines. Turns every failure into
 // an errc, and reports a vanished device at once and at each further call. Keeps such a line off the numbers 0, 1 and 2: a
 // program may be started with these closed; the line would get one of them, and what the program prints would go to the
-// drives. What asks an open device's driver takes any callable of the form of `driver_call`, so that tests have drivers.
+// drives.
 #pragma once
 
 #include <array>
 #include <cerrno>
 #include <cstddef>
-#include <cstdint>
-#include <ctime>
 #include <utility>
-
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
+#include <rtuwire/port/platform.hpp>
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire {
@@ -55,20 +49,6 @@ namespace detail {
     }
 }
 
-/// Waits as `poll` does: to the microsecond where the system offers that, elsewhere to the millisecond, rounded up.
-[[nodiscard]] inline int poll_for(pollfd& watched, duration longest) noexcept
-{
-#ifdef __linux__
-    constexpr std::uint32_t million = 1'000'000;
-    timespec limit{};
-    limit.tv_sec = static_cast<time_t>(longest.microseconds / million);
-    limit.tv_nsec = static_cast<long>(longest.microseconds % million) * 1'000;
-    return ::ppoll(&watched, 1, &limit, nullptr);
-#else
-    return ::poll(&watched, 1, static_cast<int>((longest.microseconds + 999U) / 1000U));
-#endif
-}
-
 /// An open descriptor in non-blocking mode, closed by its destructor. Can be moved.
 class descriptor {
 public:
@@ -88,7 +68,7 @@ public:
     void close() noexcept
     {
         if (number_ >= 0) {
-            ::close(std::exchange(number_, -1));
+            close_number(std::exchange(number_, -1));
         }
     }
 
@@ -98,19 +78,18 @@ public:
     /// Whether the system says of an open one that nothing is behind it any more, though bytes of it may be left to read.
     [[nodiscard]] bool has_vanished() const noexcept
     {
-        pollfd watched{number_, 0, 0};
-        return is_open() and ::poll(&watched, 1, 0) > 0;
+        pollfd line = watched(number_, 0);
+        return is_open() and poll_for(&line, 1, duration{}) > 0;
     }
 
     /// Sends all bytes. Errors: `transmit_stalled` when the deadline passes first, part of them sent;
     /// `device_not_open`, `device_vanished`, `device_failed`.
     result<void> write(byte_view bytes, host_deadline const& until) const noexcept
     {
-        return write_by([](int number, byte_view part) { return ::write(number, part.data(), part.size()); }, bytes,
-                        until);
+        return write_by(write_some, bytes, until);
     }
 
-    /// The same by another call: `send(number, bytes)` returns what `::write` does, and sets errno as it does.
+    /// The same by another call: `send(number, bytes)` returns what `write_some` does, and sets errno as it does.
     template <typename Send>
     result<void> write_by(Send send, byte_view bytes, host_deadline const& until) const noexcept
     {
@@ -118,7 +97,7 @@ public:
             return errc::device_not_open;
         }
         while (not bytes.empty()) {
-            ssize_t const count = send(number_, bytes);
+            std::ptrdiff_t const count = send(number_, bytes);
             if (count > 0) {
                 bytes = bytes.subspan(static_cast<std::size_t>(count));
                 continue;
@@ -159,7 +138,7 @@ public:
             if (not *ready) {
                 return place.first(0);
             }
-            ssize_t const count = ::read(number_, place.data(), place.size());
+            std::ptrdiff_t const count = read_some(number_, place);
             if (count > 0) {
                 return place.first(static_cast<std::size_t>(count));
             }
@@ -178,8 +157,8 @@ private:
     result<bool> wait(short events, host_deadline const& until) const noexcept
     {
         for (;;) {
-            pollfd watched{number_, events, 0};
-            int const count = poll_for(watched, until.left());
+            pollfd line = watched(number_, events);
+            int const count = poll_for(&line, 1, until.left());
             if (count == 0) {
                 return false;
             }
@@ -189,7 +168,7 @@ private:
             if (count < 0) {
                 return errc::device_failed;
             }
-            if ((watched.revents & events) != 0) {
+            if ((line.revents & events) != 0) {
                 return true;
             }
             return errc::device_vanished;
@@ -199,14 +178,16 @@ private:
     int number_{-1};
 };
 
-/// Gets or sets what the driver of an open device has; errno says why where it does not.
-struct driver_call {
-    int device;
-    template <typename Settings> bool operator()(unsigned long request, Settings& settings) const noexcept
-    {
-        return ::ioctl(device, request, &settings) == 0;
-    }
+#ifdef _WIN32
+
+/// A socket is never the number of a standard stream.
+class standard_places {
+public:
+    standard_places() noexcept {}
+    [[nodiscard]] static constexpr bool is_above(int number) noexcept { return number > 0; }
 };
+
+#else
 
 /// While it lives, every file opened gets a number above those of standard input, output and error output,
 /// even where these are closed: /dev/null fills them meanwhile. On a system without /dev/null, check with
@@ -230,6 +211,8 @@ public:
 private:
     std::array<descriptor, 3> held_{};
 };
+
+#endif
 
 } // namespace detail
 

@@ -9,14 +9,16 @@
 #include <string>
 #include <utility>
 
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/port/terminal.hpp>
+#include <rtuwire/port/transceiver.hpp>
+
+#ifndef _WIN32
+
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
-
-#include <rtuwire/core/version.hpp>
-#include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/port/serial_settings.hpp>
-#include <rtuwire/port/transceiver.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -111,3 +113,5 @@ private:
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire
+
+#endif

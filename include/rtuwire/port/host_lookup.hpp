@@ -14,16 +14,17 @@
 #include <string>
 #include <utility>
 
-#include <fcntl.h>
-#include <netdb.h>
+#ifdef _WIN32
+#include <process.h>
+#else
 #include <pthread.h>
 #include <signal.h>
-#include <sys/socket.h>
-#include <unistd.h>
+#endif
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/port/platform.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -47,18 +48,20 @@ public:
     /// more.
     result<void> run(host_deadline const& until)
     {
+        start_sockets();
         ask(AI_NUMERICHOST);
         if (status_ == EAI_NONAME) {
             if (auto const asked = ask_aside(until); not asked) {
-                why_ = asked == errc::timed_out ? "not found in time" : std::strerror(errno);
+                why_ = asked == errc::timed_out ? "not found in time" : system_text(errno);
                 return asked;
             }
         }
         if (status_ == 0) {
             return {};
         }
-        why_ = status_ == EAI_SYSTEM ? std::strerror(system_error_) : ::gai_strerror(status_);
-        return status_ == EAI_SYSTEM or status_ == EAI_MEMORY ? errc::device_failed : errc::device_not_found;
+        bool const has_errno = status_ == lookup_failed_by_errno;
+        why_ = has_errno ? system_text(system_error_) : lookup_text(status_);
+        return has_errno or status_ == EAI_MEMORY ? errc::device_failed : errc::device_not_found;
     }
 
     /// Why nothing was found.
@@ -77,6 +80,32 @@ private:
         status_ = ::getaddrinfo(host_.c_str(), port_.c_str(), &wanted, &found_);
         system_error_ = errno;
     }
+
+#ifdef _WIN32
+
+    /// Asks in a thread that keeps this alive. Where the time is over first, what is asked for belongs to the thread.
+    result<void> ask_aside(host_deadline const& until)
+    {
+        auto own = std::make_unique<std::shared_ptr<host_lookup>>(shared_from_this());
+        auto const thread =
+            reinterpret_cast<HANDLE>(::_beginthreadex(nullptr, 0, &host_lookup::thread, own.get(), 0, nullptr));
+        if (thread == nullptr) {
+            return errc::device_failed;
+        }
+        static_cast<void>(own.release()); // it is the thread's now
+        DWORD const ended = ::WaitForSingleObject(thread, until.left().microseconds / 1'000U + 1U);
+        ::CloseHandle(thread);
+        return ended == WAIT_OBJECT_0 ? result<void>{} : errc::timed_out;
+    }
+
+    static unsigned __stdcall thread(void* given)
+    {
+        std::unique_ptr<std::shared_ptr<host_lookup>> const own{static_cast<std::shared_ptr<host_lookup>*>(given)};
+        (*own)->ask(0);
+        return 0;
+    }
+
+#else
 
     /// Asks in a thread that keeps this alive; its end is a byte in a pipe, of which both ends belong to this, too. Where
     /// the time is over first, what is asked for belongs to the thread.
@@ -111,7 +140,7 @@ private:
         auto own = std::make_unique<std::shared_ptr<host_lookup>>(shared_from_this());
         sigset_t all{};
         sigset_t before{};
-        ::sigfillset(&all);
+        sigfillset(&all); // a macro on macOS
         ::pthread_sigmask(SIG_SETMASK, &all, &before);
         pthread_t thread{};
         int const failure = ::pthread_create(&thread, nullptr, &host_lookup::thread, own.get());
@@ -134,14 +163,17 @@ private:
         return nullptr;
     }
 
+    descriptor is_over_{};
+    descriptor says_so_{};
+
+#endif
+
     std::string host_;
     std::string port_;
     std::string why_{};
     addrinfo* found_{nullptr};
     int status_{0};
     int system_error_{0};
-    descriptor is_over_{};
-    descriptor says_so_{};
 };
 
 } // namespace detail

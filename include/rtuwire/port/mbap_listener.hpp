@@ -17,15 +17,13 @@
 #include <utility>
 #include <vector>
 
-#include <poll.h>
-#include <sys/socket.h>
-
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/mbap.hpp>
+#include <rtuwire/port/platform.hpp>
 #include <rtuwire/port/tcp_acceptor.hpp>
 #include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/wire/adu.hpp>
@@ -95,11 +93,6 @@ public:
 private:
     static constexpr std::size_t most_clients = 8;
     static constexpr duration longest_answer = milliseconds(500);
-#ifdef MSG_NOSIGNAL
-    static constexpr int without_signal = MSG_NOSIGNAL;
-#else
-    static constexpr int without_signal = 0; // the socket's option SO_NOSIGPIPE says it
-#endif
 
     struct client {
         tcp_stream line{};
@@ -142,13 +135,13 @@ private:
     /// Whether anything came before then.
     bool wait(instant until)
     {
-        std::vector<pollfd> watched{{listening_.descriptor_number(), POLLIN, 0}};
+        std::vector<pollfd> watched{detail::watched(listening_.descriptor_number(), POLLIN)};
         for (client& each : clients_) { // what has no room is read once the requests before it have gone
-            watched.push_back({each.came.room().empty() ? -1 : each.line.descriptor_number(), POLLIN, 0});
+            watched.push_back(detail::watched(each.came.room().empty() ? -1 : each.line.descriptor_number(), POLLIN));
         }
         instant const begin = now();
-        auto const left = reached(begin, until) ? 0 : static_cast<int>((until - begin).microseconds / 1'000U + 1U);
-        int const ready = ::poll(watched.data(), static_cast<nfds_t>(std::ssize(watched)), left);
+        duration const left = reached(begin, until) ? duration{} : until - begin;
+        int const ready = detail::poll_for(watched.data(), static_cast<unsigned>(watched.size()), left);
         if (ready <= 0) {
             return ready < 0 and errno == EINTR;
         }
@@ -157,8 +150,7 @@ private:
             if (watched[i + 1].revents == 0) {
                 continue;
             }
-            ssize_t const count =
-                ::recv(each.line.descriptor_number(), each.came.room().data(), each.came.room().size(), 0);
+            std::ptrdiff_t const count = detail::read_some(each.line.descriptor_number(), each.came.room());
             each.came.add(count > 0 ? static_cast<std::size_t>(count) : 0);
             bool const is_gone = count == 0 or (count < 0 and errno != EAGAIN and errno != EINTR);
             if (is_gone or each.came.fault() != mbap_fault::none) {
@@ -211,7 +203,7 @@ private:
     {
         std::array<std::byte, max_mbap_size> place{};
         if (auto const message = write_mbap(place, {asked.number, body})) {
-            static_cast<void>(::send(asked.client, message->data(), message->size(), without_signal));
+            static_cast<void>(detail::send_some(asked.client, *message));
         }
     }
 

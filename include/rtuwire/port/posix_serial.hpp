@@ -16,19 +16,22 @@
 #include <string>
 #include <utility>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <termios.h>
-#include <unistd.h>
-
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/serial_settings.hpp>
+#include <rtuwire/port/terminal.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc_name.hpp>
+
+#ifndef _WIN32
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -322,3 +325,5 @@ private:
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire
+
+#endif

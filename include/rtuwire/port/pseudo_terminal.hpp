@@ -11,16 +11,18 @@
 #include <string>
 #include <utility>
 
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/port/chrono.hpp>
+#include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/port/terminal.hpp>
+
+#ifndef _WIN32
+
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
-
-#include <rtuwire/core/version.hpp>
-#include <rtuwire/port/chrono.hpp>
-#include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/port/serial_settings.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -116,3 +118,5 @@ private:
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire
+
+#endif

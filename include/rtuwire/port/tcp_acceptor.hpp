@@ -13,16 +13,13 @@
 #include <string>
 #include <utility>
 
-#include <fcntl.h>
-#include <netdb.h>
-#include <sys/socket.h>
-
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/host_lookup.hpp>
+#include <rtuwire/port/platform.hpp>
 #include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/wire/errc.hpp>
 
@@ -46,14 +43,15 @@ public:
         addrinfo const& address = *lookup->first();
         line_ = detail::socket_for(address);
         if (not line_.is_open()) {
-            return failed(errc::device_failed, std::strerror(errno));
+            return failed(errc::device_failed, detail::system_text(errno));
         }
-        detail::set_option(line_.number(), SOL_SOCKET, SO_REUSEADDR, 1);
-        if (::bind(line_.number(), address.ai_addr, address.ai_addrlen) != 0 or
-            ::listen(line_.number(), most_waiting) != 0) {
-            int const why = errno;
+        detail::set_option(line_.number(), SOL_SOCKET, detail::listening_option, 1);
+        auto const socket = detail::socket_of(line_.number());
+        if (::bind(socket, address.ai_addr, static_cast<socklen_t>(address.ai_addrlen)) != 0 or
+            ::listen(socket, most_waiting) != 0) {
+            int const why = detail::socket_error();
             line_.close();
-            return failed(listen_error(why), std::strerror(why));
+            return failed(listen_error(why), detail::system_text(why));
         }
         device_ = own_name();
         return {};
@@ -78,9 +76,9 @@ public:
         detail::standard_places const kept;
         sockaddr_storage from{};
         socklen_t size = sizeof from;
-        detail::descriptor made{::accept(line_.number(), reinterpret_cast<sockaddr*>(&from), &size)};
-        if (not detail::standard_places::is_above(made.number()) or ::fcntl(made.number(), F_SETFD, FD_CLOEXEC) != 0 or
-            ::fcntl(made.number(), F_SETFL, O_NONBLOCK) != 0) {
+        detail::descriptor made{
+            detail::number_of(::accept(detail::socket_of(line_.number()), reinterpret_cast<sockaddr*>(&from), &size))};
+        if (not detail::standard_places::is_above(made.number()) or not detail::set_up_socket(made.number())) {
             return std::nullopt;
         }
         detail::set_up_connection(made.number());
@@ -104,8 +102,9 @@ private:
     {
         std::array<char, NI_MAXHOST> host{};
         std::array<char, NI_MAXSERV> port{};
-        bool const is_known = ::getnameinfo(reinterpret_cast<sockaddr const*>(&address), size, host.data(), host.size(),
-                                            port.data(), port.size(), NI_NUMERICHOST | NI_NUMERICSERV) == 0;
+        bool const is_known = ::getnameinfo(reinterpret_cast<sockaddr const*>(&address), size, host.data(),
+                                            static_cast<socklen_t>(host.size()), port.data(),
+                                            static_cast<socklen_t>(port.size()), NI_NUMERICHOST | NI_NUMERICSERV) == 0;
         return is_known ? name_of(host.data(), port.data()) : std::string{};
     }
 
@@ -113,8 +112,9 @@ private:
     {
         sockaddr_storage own{};
         socklen_t size = sizeof own;
-        return ::getsockname(line_.number(), reinterpret_cast<sockaddr*>(&own), &size) == 0 ? name_of(own, size)
-                                                                                            : device_;
+        return ::getsockname(detail::socket_of(line_.number()), reinterpret_cast<sockaddr*>(&own), &size) == 0
+                   ? name_of(own, size)
+                   : device_;
     }
 
     result<void> failed(errc error, std::string const& why)

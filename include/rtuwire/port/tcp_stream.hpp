@@ -14,16 +14,11 @@
 #include <string>
 #include <utility>
 
-#include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/host_lookup.hpp>
+#include <rtuwire/port/platform.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
 namespace rtuwire {
@@ -49,7 +44,8 @@ namespace detail {
 /// Sets an option of a socket; where the system refuses, the connection works without it.
 inline void set_option(int socket, int level, int option, int value) noexcept
 {
-    static_cast<void>(::setsockopt(socket, level, option, &value, sizeof value));
+    static_cast<void>(
+        ::setsockopt(socket_of(socket), level, option, reinterpret_cast<char const*>(&value), sizeof value));
 }
 
 /// Frames leave at once, and a far end that is gone is noticed: after some 10 s while nothing is sent, and `unsent_limit`
@@ -80,24 +76,27 @@ inline void set_up_connection(int socket) noexcept
     sockaddr_storage other{};
     socklen_t own_size = sizeof own;
     socklen_t other_size = sizeof other;
-    return ::getsockname(socket, reinterpret_cast<sockaddr*>(&own), &own_size) == 0 and
-           ::getpeername(socket, reinterpret_cast<sockaddr*>(&other), &other_size) == 0 and own_size == other_size and
-           std::memcmp(&own, &other, own_size) == 0;
+    return ::getsockname(socket_of(socket), reinterpret_cast<sockaddr*>(&own), &own_size) == 0 and
+           ::getpeername(socket_of(socket), reinterpret_cast<sockaddr*>(&other), &other_size) == 0 and
+           own_size == other_size and std::memcmp(&own, &other, static_cast<std::size_t>(own_size)) == 0;
 }
 
 /// A socket in non-blocking mode for an address; none where the system refuses, with the reason in errno.
 [[nodiscard]] inline descriptor socket_for(addrinfo const& address) noexcept
 {
+    start_sockets();
     standard_places const kept;
-    descriptor made{::socket(address.ai_family, address.ai_socktype, address.ai_protocol)};
+    descriptor made{number_of(::socket(address.ai_family, address.ai_socktype, address.ai_protocol))};
     if (not made.is_open()) {
+        static_cast<void>(socket_error());
         return made;
     }
     if (not standard_places::is_above(made.number())) {
         errno = EMFILE;
         return {};
     }
-    if (::fcntl(made.number(), F_SETFD, FD_CLOEXEC) != 0 or ::fcntl(made.number(), F_SETFL, O_NONBLOCK) != 0) {
+    if (not set_up_socket(made.number())) {
+        static_cast<void>(socket_error());
         return {};
     }
     return made;
@@ -107,9 +106,10 @@ inline void set_up_connection(int socket) noexcept
 [[nodiscard]] inline int connect_until(descriptor const& line, addrinfo const& address,
                                        host_deadline const& until) noexcept
 {
-    if (::connect(line.number(), address.ai_addr, address.ai_addrlen) != 0 and errno != EINPROGRESS and
-        errno != EINTR) {
-        return errno;
+    if (::connect(socket_of(line.number()), address.ai_addr, static_cast<socklen_t>(address.ai_addrlen)) != 0) {
+        if (int const why = socket_error(); why != EINPROGRESS and why != EAGAIN and why != EINTR) {
+            return why;
+        }
     }
     auto const ended = line.wait_to_write(until);
     if (ended and not *ended) {
@@ -117,13 +117,13 @@ inline void set_up_connection(int socket) noexcept
     }
     int failure = 0;
     socklen_t size = sizeof failure;
-    if (::getsockopt(line.number(), SOL_SOCKET, SO_ERROR, &failure, &size) != 0) {
-        return errno;
+    if (::getsockopt(socket_of(line.number()), SOL_SOCKET, SO_ERROR, reinterpret_cast<char*>(&failure), &size) != 0) {
+        return socket_error();
     }
     if (failure == 0 and is_connected_with_itself(line.number())) {
         return ECONNREFUSED;
     }
-    return failure;
+    return errno_of(failure);
 }
 
 /// The first address of a list that answers. Each gets its share of the time that is left, so that one which is silent
@@ -184,7 +184,7 @@ public:
         if (line_.is_open()) {
             return {};
         }
-        return failed(detail::connect_error(failure), "no connection", std::strerror(failure));
+        return failed(detail::connect_error(failure), "no connection", detail::system_text(failure));
     }
 
     void close() noexcept { line_.close(); }
@@ -208,9 +208,7 @@ public:
     result<void> write(byte_view bytes, instant until)
     {
         errno = 0;
-        auto const written = line_.write_by(
-            [](int number, byte_view part) { return ::send(number, part.data(), part.size(), without_signal); }, bytes,
-            until);
+        auto const written = line_.write_by(detail::send_some, bytes, until);
         return written ? written : lost(written.error());
     }
 
@@ -237,12 +235,6 @@ private:
 
     tcp_stream(detail::descriptor line, std::string device) : line_{std::move(line)}, device_{std::move(device)} {}
 
-#ifdef MSG_NOSIGNAL
-    static constexpr int without_signal = MSG_NOSIGNAL;
-#else
-    static constexpr int without_signal = 0; // the socket's option SO_NOSIGPIPE says it
-#endif
-
     result<void> failed(errc error, std::string const& what, std::string const& why)
     {
         failure_ = device_ + ": " + what + (why.empty() ? "" : " (" + why + ")");
@@ -257,7 +249,8 @@ private:
             return failed(error, std::string{name(error)}, "");
         }
         bool const has_cause = cause != 0 and cause != EAGAIN and cause != EINTR and cause != EPIPE;
-        return failed(error, "the connection is gone", has_cause ? std::strerror(cause) : "closed by the other end");
+        return failed(error, "the connection is gone",
+                      has_cause ? detail::system_text(cause) : "closed by the other end");
     }
 
     detail::descriptor line_{};

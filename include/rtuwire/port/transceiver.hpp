@@ -11,10 +11,9 @@
 #include <optional>
 #include <string>
 
-#include <sys/ioctl.h>
-
 #ifdef __linux__
 #include <linux/serial.h>
+#include <sys/ioctl.h>
 #endif
 
 #include <rtuwire/core/result.hpp>
