@@ -44,10 +44,54 @@ enum class errc : std::uint8_t;
 ///     void rtuwire::on_missing_value(rtuwire::errc) noexcept { board::motor_off(); }
 ///
 /// A program without it only traps. Either says why on its standard error before, on a POSIX system with ELF. All builds
-/// of rtuwire in one program share the hook, so that each calls it.
+/// of rtuwire in one program share the hook, so that each calls it. Where functions that are missing cannot be linked, on
+/// Windows and macOS, it is looked for by its name when it is needed: it stands in the program itself, not in a library that is
+/// loaded, and on macOS it is [[gnu::used]] where the linker drops what nobody calls.
+#if defined(_WIN32)
+[[gnu::dllexport]] void on_missing_value(errc why) noexcept __asm__("rtuwire_on_missing_value");
+#elif defined(__APPLE__)
+[[gnu::visibility("default")]] void on_missing_value(errc why) noexcept __asm__("_rtuwire_on_missing_value");
+#else
 [[gnu::weak]] void on_missing_value(errc why) noexcept __asm__("rtuwire_on_missing_value");
+#endif
 
 namespace detail {
+
+#if defined(_WIN32) || defined(__APPLE__)
+
+// The system's own calls, by names that its headers do not know.
+#if defined(_WIN32) && defined(__i386__)
+extern "C" [[gnu::stdcall]] void* rtuwire_module(char const*) __asm__("_GetModuleHandleA@4");
+extern "C" [[gnu::stdcall]] void* rtuwire_symbol(void*, char const*) __asm__("_GetProcAddress@8");
+#elif defined(_WIN32)
+extern "C" void* rtuwire_module(char const*) __asm__("GetModuleHandleA");
+extern "C" void* rtuwire_symbol(void*, char const*) __asm__("GetProcAddress");
+#else
+extern "C" void* rtuwire_symbol(void*, char const*) __asm__("_dlsym");
+#endif
+
+inline void call_missing_value_hook(errc why) noexcept
+{
+#ifdef _WIN32
+    void* const program = rtuwire_module(nullptr);
+#else
+    auto* const program = reinterpret_cast<void*>(std::intptr_t{-2}); // RTLD_DEFAULT
+#endif
+    if (void* const hook = rtuwire_symbol(program, "rtuwire_on_missing_value"); hook != nullptr) {
+        reinterpret_cast<void (*)(errc) noexcept>(hook)(why);
+    }
+}
+
+#else
+
+[[gnu::always_inline]] inline void call_missing_value_hook(errc why) noexcept
+{
+    if (on_missing_value != nullptr) {
+        on_missing_value(why);
+    }
+}
+
+#endif
 
 #if RTUWIRE_HAS_SYSTEM && defined(__ELF__)
 
@@ -81,9 +125,7 @@ inline void tell_missing_value(errc) noexcept {}
 /// constexpr, so that in a constant expression the compiler reports one of these names.
 [[noreturn, gnu::cold, gnu::noinline]] inline void a_failed_result_has_no_value(errc why) noexcept
 {
-    if (on_missing_value != nullptr) {
-        on_missing_value(why);
-    }
+    detail::call_missing_value_hook(why);
     detail::tell_missing_value(why);
     __builtin_trap();
 }
