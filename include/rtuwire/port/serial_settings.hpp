@@ -15,7 +15,8 @@ inline namespace RTUWIRE_BUILD {
 
 /// What a serial device is opened with.
 struct serial_settings {
-    std::uint32_t bits_per_second{19'200}; ///< on Linux any that the driver keeps to 2 %; elsewhere one with a code
+    std::uint32_t bits_per_second{
+        19'200}; ///< any that the driver keeps to 2 %; on POSIX but Linux and macOS one with a code
     character_format format{character_format::even_8_1}; ///< parity and stop bits; always 8 data bits
     rs485_mode rs485{rs485_mode::leave};                 ///< who switches the transceiver
     transceiver_settings transceiver{};                  ///< how the kernel's driver does it, where it does

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // How a POSIX serial device is set up for Modbus: raw bytes, bit rate, character format, and low latency where the kernel
-// offers it. Its rates are those that POSIX has a code for, and on Linux any other (termios2, BOTHER). The kernel's own
+// offers it. Its rates are those that POSIX has a code for, and on Linux (termios2, BOTHER) and macOS (IOSSIOSPEED) any
+// other. The kernel's own
 // header of that, <asm/termbits.h>, cannot stand beside <termios.h>, since both define `struct termios`: its few numbers and
 // the one structure are here, and a test compares them with it. Empty on Windows.
 #pragma once
@@ -35,9 +36,9 @@
 // Others (PowerPC, SPARC, Alpha, PA-RISC) have another structure or none: there only rates with a code.
 #if defined(__linux__) && (defined(__x86_64__) || defined(__i386__) || defined(__arm__) || defined(__aarch64__) ||     \
                            defined(__riscv) || defined(__s390__) || defined(__loongarch__) || defined(__mips__))
-#define RTUWIRE_TAKES_ANY_RATE 1
+#define RTUWIRE_HAS_KERNEL_LINE 1
 #else
-#define RTUWIRE_TAKES_ANY_RATE 0
+#define RTUWIRE_HAS_KERNEL_LINE 0
 #endif
 
 namespace rtuwire {
@@ -104,12 +105,19 @@ inline namespace RTUWIRE_BUILD {
 
 namespace detail {
 
+/// Whether the system has the structure below.
+inline constexpr bool has_kernel_line = RTUWIRE_HAS_KERNEL_LINE == 1;
+
 /// Whether the system takes rates that have no code.
-inline constexpr bool takes_any_rate = RTUWIRE_TAKES_ANY_RATE == 1;
+#ifdef __APPLE__
+inline constexpr bool takes_any_rate = true;
+#else
+inline constexpr bool takes_any_rate = has_kernel_line;
+#endif
 
 } // namespace detail
 
-#undef RTUWIRE_TAKES_ANY_RATE
+#undef RTUWIRE_HAS_KERNEL_LINE
 
 /// Whether a device may be opened at a rate; whether its driver keeps it only `open` tells. From 65 bit/s on, as a
 /// `line_timing`.
@@ -157,16 +165,25 @@ inline constexpr unsigned long get_kernel_line = _IOR('T', 0x2A, kernel_line);
 /// The request that sets it (TCSETS2).
 inline constexpr unsigned long set_kernel_line = _IOW('T', 0x2B, kernel_line);
 
-/// Asks a driver for a rate that has no code; what came of it `kept_rate` tells.
-template <typename Driver> void set_any_rate(Driver const& call, std::uint32_t bits_per_second) noexcept
+/// Asks a driver for a rate that has no code. On macOS, whose settings do not tell of one, the rate that it took; elsewhere 0,
+/// and `kept_rate` tells.
+template <typename Driver> std::uint32_t set_any_rate(Driver const& call, std::uint32_t bits_per_second) noexcept
 {
+#ifdef __APPLE__
+    constexpr unsigned long set_rate_by_number =
+        _IOW('T', 2, speed_t); // IOSSIOSPEED: of a header that only its SDK has
+    speed_t rate = bits_per_second;
+    return call(set_rate_by_number, rate) ? bits_per_second : 0;
+#else
     kernel_line line{};
-    if (takes_any_rate and call(get_kernel_line, line)) {
+    if (has_kernel_line and call(get_kernel_line, line)) {
         line.control_flags &= ~(kernel_line::rate_bits | kernel_line::rate_bits << kernel_line::input_shift);
         line.control_flags |= kernel_line::any_rate | kernel_line::any_rate << kernel_line::input_shift;
         line.input_rate = line.output_rate = bits_per_second;
         static_cast<void>(call(set_kernel_line, line));
     }
+    return 0;
+#endif
 }
 
 /// The rate of a device whose settings were just read; 0 where they only say that it is another one than was asked.
@@ -174,7 +191,7 @@ template <typename Driver>
 [[nodiscard]] std::uint32_t kept_rate(Driver const& call, termios const& kept, std::uint32_t asked) noexcept
 {
     kernel_line line{};
-    if (takes_any_rate and call(get_kernel_line, line)) {
+    if (has_kernel_line and call(get_kernel_line, line)) {
         return line.output_rate;
     }
     return speed_code(asked) == ::cfgetospeed(&kept) ? asked : 0;
@@ -186,7 +203,7 @@ public:
     /// Whether it could be read.
     template <typename Driver> [[nodiscard]] bool read(Driver const& call, int device) noexcept
     {
-        has_rate_ = takes_any_rate and call(get_kernel_line, line_);
+        has_rate_ = has_kernel_line and call(get_kernel_line, line_);
         return has_rate_ or ::tcgetattr(device, &settings_) == 0;
     }
 
@@ -327,8 +344,9 @@ inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
     // The return value says little: the call succeeds when anything at all could be set, and fails where a
     // pseudo-terminal drops the parity flag. The settings that the device kept tell.
     static_cast<void>(::tcsetattr(device, TCSANOW, &line));
+    std::uint32_t told = 0;
     if (not code) {
-        set_any_rate(driver_call{device}, rate);
+        told = set_any_rate(driver_call{device}, rate);
     }
     termios kept{};
     if (::tcgetattr(device, &kept) != 0) {
@@ -336,7 +354,8 @@ inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
     }
     tcflag_t const compared =
         is_pseudo_terminal(device) ? tcflag_t{CSIZE | CSTOPB} : tcflag_t{CSIZE | CSTOPB | PARENB | PARODD};
-    if (std::uint32_t const has = kept_rate(driver_call{device}, kept, rate); not is_near_rate(has, rate)) {
+    if (std::uint32_t const has = told != 0 ? told : kept_rate(driver_call{device}, kept, rate);
+        not is_near_rate(has, rate)) {
         why = "its driver keeps " + (has == 0 ? "another rate" : std::to_string(has) + " bit/s") + ", not " +
               std::to_string(rate);
     } else if ((kept.c_cflag & compared) != (line.c_cflag & compared)) {

@@ -13,7 +13,7 @@ public:
     without_signals() noexcept
     {
         sigset_t all{};
-        ::sigfillset(&all);
+        sigfillset(&all); // a macro on macOS
         ::pthread_sigmask(SIG_SETMASK, &all, &before_);
     }
     without_signals(without_signals const&) = delete;
