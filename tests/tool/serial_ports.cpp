@@ -83,3 +83,15 @@ TEST_CASE("serial ports with hardware are told, with what an adapter says of its
     CHECK(found[2].stable == "/dev/serial/by-id/usb-FTDI_A1-if00-port0");
     CHECK(tool::serial_ports("/nowhere").empty());
 }
+
+TEST_CASE("serial ports of macOS are told by the names that wait for no modem")
+{
+    system_folder const system;
+    for (std::string const name : {"cu.usbserial-A1", "tty.usbserial-A1", "null", "cu.Bluetooth-Incoming-Port"}) {
+        write(system.root() / "dev" / name, "");
+    }
+    auto const found = tool::serial_ports(system.root().string());
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].device == "/dev/cu.Bluetooth-Incoming-Port");
+    CHECK((found[1].device == "/dev/cu.usbserial-A1" and found[1].driver.empty()));
+}

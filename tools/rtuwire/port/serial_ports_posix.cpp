@@ -91,6 +91,13 @@ std::vector<serial_port> serial_ports(std::string const& root)
         name_adapter(port, hardware);
         found.push_back(std::move(port));
     }
+    // macOS has none of that, and two names for each: the other one, `tty`, waits for a modem.
+    for (fs::path const& each :
+         fs::exists(root + "/sys/class/tty") ? std::vector<fs::path>{} : entries_of(root + "/dev")) {
+        if (each.filename().string().starts_with("cu.")) {
+            found.push_back({.device = "/dev/" + each.filename().string()});
+        }
+    }
     return found;
 }
 
