@@ -31,9 +31,11 @@ packages_of() {
         npm) echo nodejs npm ;;
         proxies) echo prometheus stunnel4 openssl ;;
         newcomer) echo debootstrap ;;
+        mingw) echo g++-mingw-w64-x86-64-posix ;;
+        wine) echo wine wine64 ;;
         cache) echo ccache ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool gateway arm emulator clang afl bench portability avr packaging download style docs playground browser npm proxies newcomer cache" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool gateway arm emulator clang afl bench portability avr packaging download style docs playground browser npm proxies newcomer mingw wine cache" >&2
             return 1
             ;;
     esac
