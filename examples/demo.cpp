@@ -6,7 +6,7 @@
 #include <chrono>
 #include <string>
 
-#include "../tools/support/standard_descriptors.hpp"
+#include "../tools/support/platform.hpp"
 #include "support/command_line.hpp"
 #include "support/demonstration.hpp"
 #include "support/simulated_process.hpp"

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <rtuwire/frames.hpp>
 
-#include "../support/standard_descriptors.hpp"
+#include "../support/platform.hpp"
 #include "mqtt/mqtt_gateway.hpp"
 #include "output/plain_text.hpp"
 

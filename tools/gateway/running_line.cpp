@@ -7,11 +7,11 @@
 #include <thread>
 #include <utility>
 
+#include "../support/platform.hpp"
 #include "line/time_text.hpp"
 #include "line_board.hpp"
 #include "line_rounds.hpp"
 #include "opened_line.hpp"
-#include "port/without_signals.hpp"
 
 namespace tool::gateway {
 

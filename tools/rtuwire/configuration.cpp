@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../support/platform.hpp"
 #include "catalog/catalog.hpp"
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
@@ -181,12 +182,6 @@ bool is_there(std::string const& name)
     return std::filesystem::exists(std::filesystem::symlink_status(name, ignored));
 }
 
-std::string variable(char const* name)
-{
-    char const* const value = std::getenv(name);
-    return value == nullptr ? std::string{} : std::string{value};
-}
-
 } // namespace
 
 std::optional<std::string> configuration_file()
@@ -195,10 +190,7 @@ std::optional<std::string> configuration_file()
     if (is_there(name)) {
         return name;
     }
-    std::string place = variable("XDG_CONFIG_HOME");
-    if (place.empty() and not variable("HOME").empty()) {
-        place = variable("HOME") + "/.config";
-    }
+    std::string const place = folder_of_user(user_folder::configuration);
     std::string const file = place + "/" + name;
     return not place.empty() and is_there(file) ? std::optional{file} : std::nullopt;
 }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // rtuwire: what a person does with a line of Modbus RTU, from a terminal. docs/tool.md is its page.
-#include <csignal>
 #include <exception>
 #include <string>
 
-#include "../support/standard_descriptors.hpp"
+#include "../support/platform.hpp"
+#include "../support/signals.hpp"
 #include "command_line.hpp"
 #include "commands/commands.hpp"
 #include "output/passing_text.hpp"
@@ -35,8 +35,7 @@ exit_status run(choices const& chosen)
 int main(int argc, char** argv)
 {
     keep_standard_descriptors();
-    std::signal(SIGPIPE, SIG_IGN); // a reader that went away is told by the write
-    std::signal(SIGXFSZ, SIG_IGN); // and so is a file that may not grow
+    ignore_failed_writes();
     try {
         parsed const words = parse(argc, argv);
         return static_cast<int>(words.chosen ? run(*words.chosen) : words.status);

@@ -7,23 +7,24 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <csignal>
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <ctime>
 #include <exception>
-
-#include <unistd.h>
+#include <span>
 
 #include <rtuwire/drives.hpp>
 #include <rtuwire/frames.hpp>
+
+#include "platform.hpp"
+#include "signals.hpp"
 
 namespace tool {
 
 /// The frame that stops the motor and the line it goes to; no line while no motor is commanded.
 struct emergency_stop {
-    int volatile line{-1};
+    std::atomic<int> line{-1};
     std::array<std::byte, 260> frame{};
     std::size_t size{0};
 
@@ -51,62 +52,33 @@ struct emergency_stop {
     /// when it is called again.
     void stop_motor() noexcept
     {
-        int const target = line;
-        line = -1;
+        int const target = line.exchange(-1);
         for (int i = 0; i < 2 and target >= 0; ++i) {
-            wait(400);
-            // The port does not block. What it does not take is lost, and sent again.
-            ssize_t written = -1;
-            do {
-                written = ::write(target, frame.data(), size);
-            } while (written < 0 and errno == EINTR);
+            pause_for(std::chrono::milliseconds{400});
+            // What the port does not take is lost, and sent again.
+            write_past_port(target, std::span{frame}.first(size));
         }
         if (target >= 0) {
-            wait(100);
-        }
-    }
-
-private:
-    static void wait(long milliseconds) noexcept
-    {
-        timespec left{0, milliseconds * 1'000'000};
-        while (::nanosleep(&left, &left) != 0 and errno == EINTR) {
+            pause_for(std::chrono::milliseconds{100});
         }
     }
 };
 
 inline emergency_stop emergency;
 
-/// Stops the motor, and lets the signal do what it does.
-extern "C" inline void stop_and_die(int number)
-{
-    emergency.stop_motor();
-    std::raise(number);
-}
-
 /// What the program would have done at its end otherwise: say why.
 inline std::terminate_handler last_words = nullptr;
 
-/// An error of this program must not leave the motor running: an exception that nobody catches, a trap, a wrong
-/// address, a stack that is used up.
+/// Neither an error of this program must leave the motor running (an exception that nobody catches, a trap, a wrong address, a
+/// stack that is used up), nor a system that ends it before the motor stands.
 inline void stop_motor_before_dying()
 {
     last_words = std::set_terminate([] {
         emergency.stop_motor(); // before it is said: the output may block
         last_words();
     });
-    // The program's own may be what is used up.
-    alignas(16) static std::array<std::byte, 32'768> stack;
-    stack_t other{};
-    other.ss_sp = stack.data();
-    other.ss_size = stack.size();
-    ::sigaltstack(&other, nullptr);
-    struct sigaction taken {};
-    taken.sa_handler = stop_and_die;
-    taken.sa_flags = static_cast<int>(SA_RESETHAND) | SA_NODEFER | SA_ONSTACK;
-    for (int const each : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS}) {
-        sigaction(each, &taken, nullptr);
-    }
+    call_before_dying([] { emergency.stop_motor(); });
+    call_before_closing([] { emergency.stop_motor(); });
 }
 
 } // namespace tool

@@ -3,11 +3,12 @@
 // Lines from a descriptor, read without waiting for them.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
 
-#include <poll.h>
-#include <unistd.h>
+#include "platform.hpp"
 
 namespace tool {
 
@@ -34,14 +35,16 @@ public:
 private:
     void read_on()
     {
-        pollfd watched{descriptor_, POLLIN, 0};
-        if (has_ended_ or ::poll(&watched, 1, 0) <= 0) {
+        if (has_ended_) {
             return;
         }
         char some[128];
-        ssize_t const count = ::read(descriptor_, some, sizeof some);
-        has_ended_ = count <= 0;
-        text_.append(some, has_ended_ ? 0 : static_cast<std::size_t>(count));
+        std::ptrdiff_t const count = read_within(descriptor_, some, std::chrono::milliseconds{0});
+        if (count < 0) {
+            return;
+        }
+        has_ended_ = count == 0;
+        text_.append(some, static_cast<std::size_t>(count));
     }
 
     int descriptor_;

@@ -4,21 +4,17 @@
 // sleeps, a disk that hangs). A thread of its own waits for it, so that whoever prints never does.
 #pragma once
 
-#include <cerrno>
 #include <chrono>
 #include <condition_variable>
-#include <csignal>
 #include <cstddef>
 #include <deque>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <utility>
 
-#include <poll.h>
-#include <unistd.h>
+#include "platform.hpp"
 
 namespace tool {
 
@@ -84,13 +80,8 @@ private:
             return;
         }
         has_begun_ = true;
-        sigset_t all;
-        sigset_t before;
-        sigfillset(&all);
-        // Signals are for the thread that minds the motor.
-        pthread_sigmask(SIG_SETMASK, &all, &before);
+        without_signals const kept; // they are for the thread that minds the motor
         std::thread{[mine = shared_] { write_on(*mine); }}.detach();
-        pthread_sigmask(SIG_SETMASK, &before, nullptr);
     }
 
     [[noreturn]] static void write_on(shared& mine)
@@ -102,7 +93,7 @@ private:
             mine.waiting.pop_front();
             mine.is_writing = true;
             hold.unlock();
-            int const failure = write_all(mine.descriptor, text);
+            int const failure = write_blocking(mine.descriptor, text);
             hold.lock();
             mine.is_writing = false;
             if (failure != 0) {
@@ -112,22 +103,6 @@ private:
             }
             mine.news.notify_all();
         }
-    }
-
-    static int write_all(int descriptor, std::string_view text)
-    {
-        while (not text.empty()) {
-            ssize_t const count = ::write(descriptor, text.data(), text.size());
-            if (count >= 0) {
-                text.remove_prefix(static_cast<std::size_t>(count));
-            } else if (errno == EAGAIN) {
-                pollfd watched{descriptor, POLLOUT, 0};
-                ::poll(&watched, 1, -1);
-            } else if (errno != EINTR) {
-                return errno;
-            }
-        }
-        return 0;
     }
 
     std::shared_ptr<shared> shared_;

@@ -26,7 +26,7 @@ public:
             return false;
         }
         if (noted.end != 0) {
-            why_ = ::strsignal(noted.end);
+            why_ = words_of_signal(noted.end);
         } else if (noted.suspend != 0) {
             why_ = "to be suspended";
         } else if (has_paused) {

@@ -8,11 +8,16 @@
 #include <cstring>
 #include <string>
 
-#include <unistd.h>
-
 #include <rtuwire/frames.hpp>
 
 #include "printer.hpp"
+
+// Windows' own printf has other words for sizes.
+#ifdef __MINGW_PRINTF_FORMAT
+#define TOOL_PRINTF __MINGW_PRINTF_FORMAT
+#else
+#define TOOL_PRINTF printf
+#endif
 
 namespace tool {
 
@@ -23,7 +28,7 @@ inline printer error_output{STDERR_FILENO};
 template <typename Value> std::string words(Value const& value) { return std::string{text_of(value)}; }
 
 /// What printf would make of it.
-[[gnu::format(printf, 1, 0)]] inline std::string formatted(char const* format, std::va_list values)
+[[gnu::format(TOOL_PRINTF, 1, 0)]] inline std::string formatted(char const* format, std::va_list values)
 {
     char text[512];
     int const size = std::vsnprintf(text, sizeof text, format, values);
@@ -31,7 +36,7 @@ template <typename Value> std::string words(Value const& value) { return std::st
 }
 
 /// To standard output.
-[[gnu::format(printf, 1, 2)]] inline void say(char const* format, ...)
+[[gnu::format(TOOL_PRINTF, 1, 2)]] inline void say(char const* format, ...)
 {
     std::va_list values;
     va_start(values, format);
@@ -40,7 +45,7 @@ template <typename Value> std::string words(Value const& value) { return std::st
 }
 
 /// To the error output.
-[[gnu::format(printf, 1, 2)]] inline void complain(char const* format, ...)
+[[gnu::format(TOOL_PRINTF, 1, 2)]] inline void complain(char const* format, ...)
 {
     std::va_list values;
     va_start(values, format);

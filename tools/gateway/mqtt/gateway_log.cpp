@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include "../../support/platform.hpp"
 #include "line/time_text.hpp"
 #include "messages/utc_time.hpp"
 #include "output/output.hpp"

@@ -3,15 +3,14 @@
 #include "backup/drive_settings.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <optional>
-
-#include <unistd.h>
 
 #include <rtuwire/altivar/all.hpp>
 #include <rtuwire/maintenance.hpp>
 
+#include "../support/platform.hpp"
 #include "catalog/value_text.hpp"
+#include "line/time_text.hpp"
 #include "line/who_is_it.hpp"
 #include "output/progress.hpp"
 #include "port/named_drives.hpp"
@@ -38,7 +37,7 @@ void read_all(open_line& line, rtuwire::unit_id unit, saved_settings& to)
     drive_catalog const& drive = *to.drive;
     // It takes seconds: worth a line that changes, not ten that stay.
     std::optional<progress> bar;
-    if (::isatty(STDERR_FILENO) == 1) {
+    if (is_terminal(STDERR_FILENO)) {
         bar.emplace(drive.map.size());
     }
     auto const keep = [&](altivar::parameter_group const&, altivar::parameter const& row,
@@ -93,13 +92,7 @@ void refuse_nothing_read(saved_settings const& settings, rtuwire::unit_id unit)
 
 } // namespace
 
-std::string time_of_backup()
-{
-    std::time_t const now = std::time(nullptr);
-    char text[32] = "";
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S%z", std::localtime(&now));
-    return text;
-}
+std::string time_of_backup() { return second_text(unix_now()); }
 
 saved_settings settings_of(open_line& line, named_unit const& unit, std::string const& port)
 {

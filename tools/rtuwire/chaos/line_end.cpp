@@ -11,8 +11,6 @@ namespace tool {
 
 namespace {
 
-using rtuwire::pseudo_terminal;
-
 /// A write to a pseudo-terminal is one, whatever else the machine does.
 constexpr rtuwire::duration pty_silence = rtuwire::milliseconds(20);
 constexpr rtuwire::duration write_limit = rtuwire::milliseconds(500);
@@ -23,9 +21,9 @@ line_end::line_end(side whose, std::string const& word, line_choices const& chos
 {
     std::string const option = whose == side::client ? "--from" : "--to";
     if (word == "pty") {
-        auto& made = port_.emplace<pseudo_terminal>();
+        auto& made = port_.emplace<own_terminal>();
         if (not made.open()) {
-            throw ended{exit_status::port, option + " pty: no pseudo-terminal to be had"};
+            throw ended{exit_status::port, option + " pty: " + no_terminal_text};
         }
         device_ = made.path();
         return;
@@ -75,7 +73,7 @@ void line_end::write(rtuwire::byte_view bytes)
         listener->write(bytes, until);
         return;
     }
-    auto* const made = std::get_if<pseudo_terminal>(&port_);
+    auto* const made = std::get_if<own_terminal>(&port_);
     auto const done = made != nullptr ? made->write(bytes, until) : std::get<any_port>(port_).write(bytes, until);
     if (not done and done != rtuwire::errc::transmit_stalled) {
         fail();
@@ -88,7 +86,7 @@ rtuwire::byte_view line_end::read(rtuwire::byte_span place)
     if (auto* const listener = std::get_if<tcp_listener>(&port_)) {
         return listener->read(place, now);
     }
-    auto* const made = std::get_if<pseudo_terminal>(&port_);
+    auto* const made = std::get_if<own_terminal>(&port_);
     auto const bytes = made != nullptr ? made->read(place, now) : std::get<any_port>(port_).read(place, now);
     if (not bytes) {
         fail();

@@ -33,7 +33,7 @@ private:
     [[noreturn]] void fail() const;
     void listen(std::string const& option, tcp_address const& where);
 
-    std::variant<any_port, rtuwire::pseudo_terminal, tcp_listener> port_{};
+    std::variant<any_port, own_terminal, tcp_listener> port_{};
     std::string device_{};
 };
 

@@ -3,11 +3,10 @@
 #include "check/probed_line.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 #include <thread>
 
 #include "exit_status.hpp"
+#include "port/own_terminal.hpp"
 
 namespace tool {
 
@@ -15,12 +14,6 @@ namespace {
 
 constexpr line_time end_of_answer{45'000}; ///< of silence, where its size is not known
 constexpr std::size_t shortest_answer = 5;
-
-bool is_pseudo_terminal(std::string const& device)
-{
-    std::error_code ignored;
-    return std::filesystem::canonical(device, ignored).string().starts_with("/dev/pts/");
-}
 
 /// Objects of function 43/14, from the seventh byte of its PDU on: the size of the whole frame.
 std::optional<std::size_t> identification_size(rtuwire::byte_view came)

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <memory>
 
+#include "../support/platform.hpp"
 #include "exit_status.hpp"
 #include "frame/hex_text.hpp"
 #include "output/plain_text.hpp"
@@ -132,7 +133,7 @@ void write_junit(std::string const& path, std::string const& unit, std::span<jud
                              escaped(unit) + "\" tests=\"" + std::to_string(all.size()) + "\" failures=\"" +
                              std::to_string(failures) + "\" skipped=\"" + std::to_string(skipped) + "\" errors=\"" +
                              std::to_string(errors) + "\">\n" + cases + "  </testsuite>\n</testsuites>\n";
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{std::fopen(path.c_str(), "we"), &std::fclose};
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{open_stream(path, "w"), &std::fclose};
     bool const is_written = file and std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() and
                             std::fclose(file.release()) == 0;
     if (not is_written) {

@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <poll.h>
-#include <unistd.h>
-
+#include "../support/platform.hpp"
 #include "chaos/disturbed_line.hpp"
 #include "chaos/line_end.hpp"
 #include "commands/commands.hpp"
@@ -123,7 +121,7 @@ private:
         return text;
     }
 
-    bool is_terminal_{::isatty(STDERR_FILENO) == 1};
+    bool is_terminal_{is_terminal(STDERR_FILENO)};
     steady_clock::time_point next_{};
 };
 
@@ -171,9 +169,8 @@ private:
 
     void pass(disturbed_line& line)
     {
-        std::array<pollfd, 2> ends{pollfd{from_.descriptor_number(), POLLIN, 0},
-                                   pollfd{to_.descriptor_number(), POLLIN, 0}};
-        ::poll(ends.data(), ends.size(), wait_of(line));
+        std::array ends{watched_port(from_.descriptor_number(), POLLIN), watched_port(to_.descriptor_number(), POLLIN)};
+        poll_ports(ends, wait_of(line));
         instant const now = rtuwire::steady_now();
         std::array<std::byte, 512> place;
         line.receive(frame_way::request, from_.read(place), now);
@@ -183,16 +180,17 @@ private:
         }
     }
 
-    /// Milliseconds, up to the next that is due.
-    static int wait_of(disturbed_line const& line)
+    /// Up to the next that is due.
+    static std::chrono::milliseconds wait_of(disturbed_line const& line)
     {
         constexpr std::uint32_t longest = 100;
         instant const now = rtuwire::steady_now();
         auto const due = line.poll_deadline();
         if (not due) {
-            return longest;
+            return std::chrono::milliseconds{longest};
         }
-        return reached(now, *due) ? 0 : static_cast<int>(std::min(longest, (*due - now).microseconds / 1'000 + 1));
+        return std::chrono::milliseconds{reached(now, *due) ? 0
+                                                            : std::min(longest, (*due - now).microseconds / 1'000 + 1)};
     }
 
     exit_status tell(disturbed_line const& line) const

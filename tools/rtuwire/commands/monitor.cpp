@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "../support/signals.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
 #include "line/asked_units.hpp"
@@ -155,7 +156,7 @@ public:
                 return static_cast<exit_status>(128 + noted_signal());
             }
             if (pressed == key::gone) {
-                return static_cast<exit_status>(128 + SIGHUP); // before its signal, or where that is ignored
+                return static_cast<exit_status>(128 + hang_up); // before its signal, or where that is ignored
             }
             apply(pressed, shown_);
             line_.set_period(shown_.period);

@@ -3,7 +3,6 @@
 // Lets many clients ask the units of one line, one request at a time. It reads unless --write says otherwise, and passes on
 // nothing by which the motor of a known drive may turn.
 #include <chrono>
-#include <csignal>
 #include <string>
 
 #include "../support/say.hpp"
@@ -42,7 +41,6 @@ void tell_what_is_served(choices const& chosen, serve_settings const& settings)
 exit_status run_serve(choices const& chosen)
 {
     serve_settings const settings = serve_settings_in(chosen);
-    std::signal(SIGPIPE, SIG_IGN); // a reader that has gone keeps no client waiting
     // So long the request that is under way may take: whether something was written is answered.
     std::chrono::duration<double> const response_time{chosen.line.response_timeout.value_or(1.0)};
     serve_counts counts;

@@ -18,6 +18,7 @@
 #include "commands/commands.hpp"
 #include "line/open_line.hpp"
 #include "output/plain_text.hpp"
+#include "port/own_terminal.hpp"
 #include "port/port_word.hpp"
 #include "port/simulated_device.hpp"
 #include "port/simulated_line.hpp"
@@ -138,7 +139,7 @@ exit_status serve_on(serial_device const& place, choices const& chosen,
                      std::vector<simulated_drive_choice> const& drives)
 {
     auto const set = setting_in(chosen.line);
-    rtuwire::posix_serial port;
+    rtuwire::host_serial port;
     exit_status const status =
         port.open(place.path, serial_settings_in(chosen.line, set))
             ? serve(port, place.path, line_timing::host(set.baud, set.format), drives, chosen.vendor)
@@ -173,9 +174,9 @@ exit_status serve_on_port(choices const& chosen, std::vector<simulated_drive_cho
 exit_status serve_on_pseudo_terminal(choices const& chosen, std::vector<simulated_drive_choice> const& drives)
 {
     auto const set = setting_in(chosen.line);
-    rtuwire::pseudo_terminal port;
+    own_terminal port;
     if (not port.open()) {
-        throw ended{exit_status::port, "no pseudo-terminal to be had"};
+        throw ended{exit_status::port, no_terminal_text};
     }
     // A pseudo-terminal is no wire: nothing delays its bytes inside a frame, and nothing has to be silent before a
     // response.

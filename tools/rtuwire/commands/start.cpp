@@ -3,9 +3,8 @@
 // Runs a motor until somebody ends this program, and stops it then: on every way out that a program has.
 #include <string>
 
-#include <unistd.h>
-
 #include "../support/emergency_stop.hpp"
+#include "../support/platform.hpp"
 #include "../support/reason_to_end.hpp"
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
@@ -67,7 +66,7 @@ std::string announcement(choices const& chosen, named_unit const& who, drive_cat
     std::string const unit =
         "unit " + std::to_string(who.unit.byte()) + (who.name.empty() ? "" : " (" + who.name + ")");
     std::string const other = asked.is_speed ? "900rpm" : "30Hz";
-    bool const is_typed_to = ::isatty(STDIN_FILENO) == 1;
+    bool const is_typed_to = is_terminal(STDIN_FILENO);
     return unit + ", " + std::string{drive.name} + " on " + chosen.line.port + ": runs the motor at " + asked.text +
            words_of_least(asked) + ", " + length +
            (is_typed_to ? "; a line such as " + other + " changes that meanwhile" : std::string{});

@@ -8,18 +8,18 @@
 // asked for follows, else 0000, and the motor coasts. An ATV28 has no CHCF: exception 02. No other Altivar takes a word at
 // 400, and nobody names a device that is none when a motor has to be stopped. What confirms the stop is the same in the four
 // others, so that nothing has to be identified.
-#include <csignal>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include <unistd.h>
-
 #include <rtuwire/altivar/all.hpp>
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
 
+#include "../support/platform.hpp"
+#include "../support/signals.hpp"
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "line/line_words.hpp"
@@ -71,31 +71,16 @@ public:
 };
 
 /// Whether the drive is known to have got its word; a signal may come before.
-std::sig_atomic_t volatile has_got_its_word = 0;
+std::atomic<bool> has_got_its_word{false};
 
 /// The drive follows its word without this program; whoever ends it is told how far it came.
-extern "C" void tell_and_end(int number)
+void tell_and_end(int number)
 {
-    std::string_view const text = has_got_its_word != 0
+    std::string_view const text = has_got_its_word
                                       ? "\nrtuwire: told to stop, not seen to stand\n"
                                       : "\nrtuwire: ended before the drive was known to have been told to stop\n";
     static_cast<void>(write_at_once(STDERR_FILENO, text));
-    std::signal(number, SIG_DFL);
-    std::raise(number);
-}
-
-void tell_at_the_end()
-{
-    for (int const each : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction before {};
-        // What was ignored when the program began stays so: `nohup` means it.
-        if (sigaction(each, nullptr, &before) == 0 and before.sa_handler == SIG_DFL) {
-            struct sigaction taken {};
-            taken.sa_handler = tell_and_end;
-            taken.sa_flags = SA_RESTART;
-            sigaction(each, &taken, nullptr);
-        }
-    }
+    end_by(number);
 }
 
 /// A line on the terminal that changes while a motor takes its time.
@@ -110,7 +95,7 @@ public:
     void clear() const { show({}); }
 
 private:
-    bool is_terminal_{::isatty(STDERR_FILENO) == 1};
+    bool is_terminal_{is_terminal(STDERR_FILENO)};
 };
 
 struct ending {
@@ -126,7 +111,7 @@ public:
 
     exit_status run()
     {
-        tell_at_the_end();
+        call_before_end(tell_and_end);
         waiting_.show("stops the motor of unit " + std::to_string(who_.unit.byte()));
         // A drive without a name says by its answer whether it is an ATV28; all the others are stopped alike.
         std::string drive = not who_.drive.empty() ? who_.drive : is_atv28() ? "atv28" : "atv320";
@@ -210,7 +195,7 @@ private:
             if (why.kind != outcome_kind::unconfirmed and unobeyed == 0) {
                 break;
             }
-            has_got_its_word = 1;
+            has_got_its_word = true;
             show_output(catalog_chosen(drive));
         }
         return why;

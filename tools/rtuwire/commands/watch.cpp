@@ -216,7 +216,7 @@ private:
 exit_status run_watch(choices const& chosen)
 {
     note_signals();
-    take_signal(SIGTSTP);
+    take_suspension();
     exit_status const status = watching{chosen, units_asked(chosen.line)}.run();
     if (noted.suspend != 0) {
         // Asleep it would keep the device from the `stop` of whoever has suspended it: the line is closed by now.

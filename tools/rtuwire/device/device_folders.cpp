@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "../support/platform.hpp"
 #include "exit_status.hpp"
 #include "words/suggestion.hpp"
 
@@ -17,26 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string variable_of(char const* name)
-{
-    char const* const value = std::getenv(name);
-    return value == nullptr ? std::string{} : value;
-}
-
 /// The user's own goes before what came with the program.
 std::vector<fs::path> device_folders()
 {
     std::vector<fs::path> folders;
-    fs::path const data = variable_of("XDG_DATA_HOME"); // its specification: a relative one is ignored
-    std::string const home = variable_of("HOME");
-    if (data.is_absolute()) {
+    if (fs::path const data = folder_of_user(user_folder::data); not data.empty()) {
         folders.push_back(data / "rtuwire" / "devices");
-    } else if (not home.empty()) {
-        folders.push_back(fs::path{home} / ".local" / "share" / "rtuwire" / "devices");
     }
-    std::error_code failure;
-    fs::path const program = fs::read_symlink("/proc/self/exe", failure);
-    if (not failure) {
+    if (fs::path const program = own_path(); not program.empty()) {
         folders.push_back(program.parent_path().parent_path() / "share" / "rtuwire" / "devices");
     }
     return folders;

@@ -7,11 +7,9 @@
 #include <cstring>
 #include <utility>
 
-#include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
+#include "../support/platform.hpp"
 #include "exit_status.hpp"
 
 namespace tool {
@@ -24,10 +22,12 @@ using open_file = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 std::string kind_of(mode_t mode)
 {
-    return S_ISDIR(mode)    ? "is a directory"
-           : S_ISFIFO(mode) ? "is a pipe"
-           : S_ISSOCK(mode) ? "is a socket"
-                            : "is a device";
+#ifdef S_ISSOCK
+    if (S_ISSOCK(mode)) {
+        return "is a socket";
+    }
+#endif
+    return S_ISDIR(mode) ? "is a directory" : S_ISFIFO(mode) ? "is a pipe" : "is a device";
 }
 
 off_t size_of(int file)
@@ -52,9 +52,7 @@ file_text text_of_file(std::string const& path)
     if (std::string const why = why_no_regular_file(path); not why.empty()) {
         return {{}, why};
     }
-    // Nor does one wait for more, as /proc/kmsg does, which calls itself a regular file.
-    int const descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    open_file const file{descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"), &std::fclose};
+    open_file const file{stream_to_read(path), &std::fclose};
     if (not file) {
         return {{}, std::strerror(errno), errno == ENOENT};
     }
@@ -84,7 +82,7 @@ std::string text_to_resume(std::string const& path)
 appended_file::appended_file(std::string const& path) : failure_{why_no_regular_file(path)}
 {
     if (failure_.empty()) {
-        file_.reset(std::fopen(path.c_str(), "a+be"));
+        file_.reset(open_stream(path, "a+b"));
         failure_ = file_ ? "" : std::strerror(errno);
     }
 }
@@ -119,20 +117,9 @@ void appended_file::reserve(std::size_t size)
     if (not file_) {
         return;
     }
-    int const file = ::fileno(file_.get());
-    off_t const end = size_of(file);
-    rlimit most{};
-    if (::getrlimit(RLIMIT_FSIZE, &most) == 0 and most.rlim_cur != RLIM_INFINITY and
-        static_cast<rlim_t>(end) + size > most.rlim_cur) {
-        failure_ = std::strerror(EFBIG);
-        return;
+    if (int const why = reserve_room(file_.get(), size_of(::fileno(file_.get())), size); why != 0) {
+        failure_ = std::strerror(why);
     }
-#ifdef FALLOC_FL_KEEP_SIZE
-    if (::fallocate(file, FALLOC_FL_KEEP_SIZE, end, static_cast<off_t>(size)) != 0 and
-        (errno == ENOSPC or errno == EDQUOT or errno == EFBIG)) { // others cannot keep room
-        failure_ = std::strerror(errno);
-    }
-#endif
 }
 
 bool appended_file::ends_with_line() const
@@ -141,9 +128,8 @@ bool appended_file::ends_with_line() const
         return true;
     }
     int const file = ::fileno(file_.get());
-    off_t const end = size_of(file);
     char last = '\n';
-    return end == 0 or ::pread(file, &last, 1, end - 1) != 1 or last == '\n';
+    return size_of(file) == 0 or ::lseek(file, -1, SEEK_END) < 0 or ::read(file, &last, 1) != 1 or last == '\n';
 }
 
 } // namespace tool

@@ -6,10 +6,9 @@
 #include <cstring>
 #include <utility>
 
-#include <fcntl.h>
-
 #include <rtuwire/port.hpp>
 
+#include "../support/platform.hpp"
 #include "capture/commented_block.hpp"
 #include "exit_status.hpp"
 
@@ -17,7 +16,7 @@ namespace tool {
 
 capture_output::capture_output(std::string const& file, rtuwire::capture_options options, std::string const& line,
                                line_calendar const& calendar)
-    : capture_output{file, stream{file == "-" ? stdout : std::fopen(file.c_str(), "wb"), &std::fclose}, options, line,
+    : capture_output{file, stream{file == "-" ? stdout : open_stream(file, "wb"), &std::fclose}, options, line,
                      calendar}
 {}
 
@@ -49,7 +48,7 @@ void capture_output::write(rtuwire::byte_view bytes)
 {
     if (is_open_ and
         (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size() or std::fflush(file_.get()) != 0)) {
-        if (errno != EPIPE) {
+        if (not is_reader_gone()) {
             fail();
         }
         is_open_ = false;
@@ -60,8 +59,7 @@ void capture_output::fail() const { throw ended{exit_status::port, name_ + ": " 
 
 capture_output::stream new_capture_file(std::string const& option, std::string const& name)
 {
-    int const descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NONBLOCK | O_CLOEXEC, 0666);
-    capture_output::stream file{descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb"), &std::fclose};
+    capture_output::stream file{new_stream(name), &std::fclose};
     if (not file) {
         throw ended{exit_status::port,
                     option + ' ' + name + ": " + (errno == EEXIST ? "is there already" : std::strerror(errno))};

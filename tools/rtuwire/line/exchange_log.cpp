@@ -15,8 +15,6 @@
 #include <string_view>
 #include <utility>
 
-#include <unistd.h>
-
 #include "exit_status.hpp"
 #include "frame/hex_text.hpp"
 #include "line/capture_output.hpp"
@@ -38,7 +36,8 @@ public:
     ~new_trace()
     {
         if (file_) {
-            ::unlink(name_.c_str());
+            file_.reset(); // first: Windows removes none that is open
+            std::remove(name_.c_str());
         }
     }
 

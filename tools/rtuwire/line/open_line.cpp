@@ -6,8 +6,7 @@
 #include <array>
 #include <atomic>
 
-#include <unistd.h>
-
+#include "../support/platform.hpp"
 #include "frame/damage.hpp"
 #include "frame/hex_text.hpp"
 #include "line/line_words.hpp"
@@ -29,7 +28,7 @@ std::string hex_byte(std::uint8_t byte)
 void tell_of_supervision()
 {
     static std::atomic<bool> is_told{false};
-    if (not is_told.exchange(true) and ::isatty(STDERR_FILENO) == 1) {
+    if (not is_told.exchange(true) and is_terminal(STDERR_FILENO)) {
         tell_at_once(
             "note: any request restarts a drive's supervision of its line, and begins it where the drive is idle\n");
     }

@@ -4,7 +4,10 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
+
+#include "../support/platform.hpp"
 
 namespace tool {
 
@@ -16,31 +19,36 @@ std::uint64_t unix_now()
 
 namespace {
 
-/// With a part of a second: so many digits of it.
-std::string local_time(std::uint64_t unix_microseconds, int digits, unsigned part)
+/// With so many digits of a part of a second.
+std::string text_of_local(std::uint64_t unix_microseconds, int digits, unsigned part)
 {
     auto const seconds = static_cast<std::time_t>(unix_microseconds / 1'000'000);
-    std::tm local{};
-    ::localtime_r(&seconds, &local);
+    long offset = 0;
+    std::tm const local = local_time(seconds, offset);
     char date[32] = "";
-    char zone[8] = "";
     std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%S", &local);
-    std::strftime(zone, sizeof zone, "%z", &local);
-    char text[64];
-    std::snprintf(text, sizeof text, "%s.%0*u%s", date, digits, part, zone);
-    return text;
+    long const minutes = std::labs(offset) / 60;
+    char fraction[16] = "";
+    if (digits > 0) {
+        std::snprintf(fraction, sizeof fraction, ".%0*u", digits, part);
+    }
+    char zone[48];
+    std::snprintf(zone, sizeof zone, "%c%02ld%02ld", offset < 0 ? '-' : '+', minutes / 60, minutes % 60);
+    return std::string{date} + fraction + zone;
 }
 
 } // namespace
 
 std::string time_text(std::uint64_t unix_microseconds)
 {
-    return local_time(unix_microseconds, 3, static_cast<unsigned>(unix_microseconds / 1'000 % 1'000));
+    return text_of_local(unix_microseconds, 3, static_cast<unsigned>(unix_microseconds / 1'000 % 1'000));
 }
+
+std::string second_text(std::uint64_t unix_microseconds) { return text_of_local(unix_microseconds, 0, 0); }
 
 std::string exact_time_text(std::uint64_t unix_microseconds)
 {
-    return local_time(unix_microseconds, 6, static_cast<unsigned>(unix_microseconds % 1'000'000));
+    return text_of_local(unix_microseconds, 6, static_cast<unsigned>(unix_microseconds % 1'000'000));
 }
 
 } // namespace tool

@@ -11,6 +11,9 @@ namespace tool {
 /// Microseconds since 1970, now.
 std::uint64_t unix_now();
 
+/// "2026-11-24T08:15:03+0100": local time, to the second.
+std::string second_text(std::uint64_t unix_microseconds);
+
 /// "2026-11-24T08:15:03.250+0100": local time, to the millisecond.
 std::string time_text(std::uint64_t unix_microseconds);
 

@@ -2,41 +2,18 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "line/write_log.hpp"
 
-#include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <sstream>
 
-#include <pwd.h>
-#include <unistd.h>
-
+#include "../support/platform.hpp"
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
+#include "line/time_text.hpp"
 #include "output/plain_text.hpp"
 
 namespace tool {
 
 namespace {
-
-std::string variable(char const* name)
-{
-    char const* const value = std::getenv(name);
-    return value == nullptr ? std::string{} : std::string{value};
-}
-
-std::string user_name()
-{
-    passwd const* const entry = ::getpwuid(::getuid());
-    return entry == nullptr ? std::to_string(::getuid()) : std::string{entry->pw_name};
-}
-
-std::string time_now()
-{
-    std::time_t const now = std::time(nullptr);
-    char text[32] = "";
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S%z", std::localtime(&now));
-    return text;
-}
 
 std::string place_of(std::string const& port, unsigned unit)
 {
@@ -55,7 +32,7 @@ template <typename Action> std::string with_log(Action action)
     }
     std::error_code ignored; // the file itself tells
     std::filesystem::create_directories(file.parent_path(), ignored);
-    appended_file log{file};
+    appended_file log{file.string()};
     action(log);
     return log.failure().empty() ? std::string{} : file.string() + ": " + log.failure();
 }
@@ -64,18 +41,15 @@ template <typename Action> std::string with_log(Action action)
 
 std::string write_log_file()
 {
-    std::string const state = variable("XDG_STATE_HOME"); // its specification: a relative one is ignored
-    std::string const home = variable("HOME");
-    if (state.starts_with('/')) {
-        return state + "/rtuwire/writes.log";
-    }
-    return home.empty() ? std::string{} : home + "/.local/state/rtuwire/writes.log";
+    std::string const state = folder_of_user(user_folder::state);
+    return state.empty() ? state : state + "/rtuwire/writes.log";
 }
 
 std::string log_write(written_value const& what)
 {
-    std::string const row = time_now() + '\t' + user_name() + place_of(what.port, what.unit) + plain_text(what.label) +
-                            '\t' + plain_text(what.before) + '\t' + plain_text(what.after) + '\n';
+    std::string const row = second_text(unix_now()) + '\t' + name_of_user() + place_of(what.port, what.unit) +
+                            plain_text(what.label) + '\t' + plain_text(what.before) + '\t' + plain_text(what.after) +
+                            '\n';
     return with_log([&row](appended_file& log) { log.write((log.ends_with_line() ? "" : "\n") + row); });
 }
 

@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-#include "port/without_signals.hpp"
+#include "../support/platform.hpp"
 
 namespace tool {
 

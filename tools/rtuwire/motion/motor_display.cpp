@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <unistd.h>
-
+#include "../support/platform.hpp"
 #include "../support/say.hpp"
 #include "output/plain_text.hpp"
 
@@ -36,7 +35,7 @@ constexpr std::size_t longest_state = 22;
 } // namespace
 
 motor_display::motor_display(output_form how, drive_catalog const& drive)
-    : form_{form_for(how)}, is_table_{how == output_form::table}, is_line_{is_table_ and ::isatty(STDOUT_FILENO) == 1},
+    : form_{form_for(how)}, is_table_{how == output_form::table}, is_line_{is_table_ and is_terminal(STDOUT_FILENO)},
       amperes_a_step_{amperes_a_step(drive)}
 {}
 

@@ -3,10 +3,9 @@
 #include "motion/question.hpp"
 
 #include <chrono>
+#include <cstddef>
 
-#include <poll.h>
-#include <unistd.h>
-
+#include "../support/platform.hpp"
 #include "../support/say.hpp"
 #include "../support/signals.hpp"
 #include "motion/typed_lines.hpp"
@@ -15,30 +14,29 @@
 
 namespace tool {
 
-bool is_asked(permissions const& allowed) { return not allowed.is_confirmed and ::isatty(STDIN_FILENO) == 1; }
+bool is_asked(permissions const& allowed) { return not allowed.is_confirmed and is_terminal(STDIN_FILENO); }
 
 bool is_answered_yes(char const* question)
 {
-    constexpr int look_every = 100; // ms
+    constexpr std::chrono::milliseconds look_every{100};
     constexpr std::size_t longest = 256;
     forget_typed();
     error_output.put(std::string{question} + " (y/n) ");
-    pollfd watched{STDIN_FILENO, POLLIN, 0};
     bool is_shown = false;
     std::string answer;
     while (noted.end == 0 and noted.suspend == 0 and error_output.failure() == 0 and answer.size() < longest) {
         if (not is_shown) { // a terminal that was stopped (Ctrl-S) must not keep this program from ending
-            is_shown = error_output.finish(std::chrono::milliseconds{look_every});
+            is_shown = error_output.finish(look_every);
             if (not is_shown) {
                 forget_typed();
             }
-        } else if (::poll(&watched, 1, look_every) > 0) {
+        } else {
             char place[longest];
-            auto const size = ::read(STDIN_FILENO, place, sizeof place);
-            if (size <= 0) {
+            std::ptrdiff_t const size = read_within(STDIN_FILENO, place, look_every);
+            if (size == 0) {
                 return false;
             }
-            answer.append(place, static_cast<std::size_t>(size));
+            answer.append(place, size > 0 ? static_cast<std::size_t>(size) : 0);
             if (std::size_t const end = answer.find_first_of("\r\n"); end != std::string::npos) {
                 forget_typed();
                 answer = lower(answer.substr(0, end));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <cstdlib>
 #include <utility>
 
@@ -285,8 +284,8 @@ motion_end running::interrupted() const
 {
     int const failure = standard_output.failure();
     // Ctrl-C and TERM are how this command is meant to end; any other signal is an accident, which a shell is told.
-    bool const is_meant = noted.end == SIGINT or noted.end == SIGTERM;
-    exit_status const status = is_meant         ? exit_status::done
+    bool const is_asked_for = is_meant(noted.end);
+    exit_status const status = is_asked_for     ? exit_status::done
                                : noted.end != 0 ? static_cast<exit_status>(128 + noted.end)
                                : failure != 0   ? exit_status::port
                                                 : exit_status::differs;

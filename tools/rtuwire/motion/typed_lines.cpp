@@ -2,40 +2,29 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "motion/typed_lines.hpp"
 
-#include <poll.h>
-#include <termios.h>
-#include <unistd.h>
+#include <chrono>
+#include <cstddef>
+
+#include "../support/platform.hpp"
 
 namespace tool {
 
-namespace {
-
-/// In the background the terminal is somebody else's. One that controls nothing has no foreground.
-bool is_terminal_own() noexcept
-{
-    pid_t const foreground = ::tcgetpgrp(STDIN_FILENO);
-    return foreground == -1 or foreground == ::getpgrp();
-}
-
-} // namespace
-
 void forget_typed() noexcept
 {
-    if (::isatty(STDIN_FILENO) == 1 and is_terminal_own()) {
-        ::tcflush(STDIN_FILENO, TCIFLUSH);
+    if (is_terminal(STDIN_FILENO) and is_terminal_own()) {
+        flush_typed();
     }
 }
 
-typed_lines::typed_lines() : is_open_{::isatty(STDIN_FILENO) == 1} {}
+typed_lines::typed_lines() : is_open_{is_terminal(STDIN_FILENO)} {}
 
 std::optional<std::string> typed_lines::next()
 {
     constexpr std::size_t longest = 256;
-    pollfd watched{STDIN_FILENO, POLLIN, 0};
-    if (is_open_ and is_terminal_own() and ::poll(&watched, 1, 0) > 0) {
+    if (is_open_ and is_terminal_own()) {
         char place[longest];
-        auto const size = ::read(STDIN_FILENO, place, sizeof place);
-        is_open_ = size > 0;
+        std::ptrdiff_t const size = read_within(STDIN_FILENO, place, std::chrono::milliseconds{0});
+        is_open_ = size != 0;
         typed_.append(place, size > 0 ? static_cast<std::size_t>(size) : 0);
     }
     std::size_t const end = typed_.find('\n');

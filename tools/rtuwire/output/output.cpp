@@ -6,8 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <unistd.h>
-
+#include "../support/platform.hpp"
 #include "exit_status.hpp"
 
 namespace tool {
@@ -28,7 +27,7 @@ std::unique_ptr<form> make(output_form how, bool is_stream)
 
 output::output(output_form how, bool is_stream)
     : form_{make(how, is_stream)}, has_colours_{how == output_form::table and is_stream and
-                                                ::isatty(STDOUT_FILENO) == 1 and std::getenv("NO_COLOR") == nullptr}
+                                                is_terminal(STDOUT_FILENO) and std::getenv("NO_COLOR") == nullptr}
 {}
 
 void output::put(record const& line, bool is_bad)
@@ -53,7 +52,7 @@ void output::write(std::string const& text)
     if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() and std::fflush(stdout) == 0) {
         return;
     }
-    if (errno != EPIPE or needs_reader_) {
+    if (not is_reader_gone() or needs_reader_) {
         throw ended{exit_status::port, std::string{"standard output: "} + std::strerror(errno)};
     }
     is_open_ = false;

@@ -8,10 +8,6 @@
 
 namespace tool {
 
-/// Writes as much as is taken at once; whether that was all. A signal handler may call it. Does not change the descriptor's
-/// flags, which others share.
-bool write_at_once(int descriptor, std::string_view text) noexcept;
-
 /// To the standard error; says before it how many lines were dropped.
 void tell_at_once(std::string_view text);
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "output/progress.hpp"
 
-#include <unistd.h>
-
+#include "../support/platform.hpp"
 #include "output/passing_text.hpp"
 
 namespace tool {
@@ -21,7 +20,7 @@ std::string time_in_words(std::chrono::seconds time)
     return text(seconds / 3'600, " h ") + text(seconds / 60 % 60, " min");
 }
 
-progress::progress(std::size_t steps) : steps_{steps}, is_terminal_{::isatty(STDERR_FILENO) == 1} {}
+progress::progress(std::size_t steps) : steps_{steps}, is_terminal_{is_terminal(STDERR_FILENO)} {}
 
 progress::~progress() { clear(); }
 

@@ -8,15 +8,17 @@
 #include <cstdio>
 #include <utility>
 
+#include "../support/platform.hpp"
 #include "port/device_holder.hpp"
+#include "port/inner_line.hpp"
 #include "port/nearest_device.hpp"
 
 namespace tool {
 
 using rtuwire::errc;
+using rtuwire::host_serial;
 using rtuwire::line_timing;
 using rtuwire::mbap_stream;
-using rtuwire::posix_serial;
 using rtuwire::result;
 using rtuwire::serial_settings;
 using rtuwire::tcp_stream;
@@ -32,7 +34,7 @@ result<void> any_port::open(port_description const& described, serial_settings c
 
 result<void> any_port::open_one(serial_device const& chosen, serial_settings const& settings)
 {
-    auto& port = port_.emplace<posix_serial>();
+    auto& port = port_.emplace<host_serial>();
     auto const opened = port.open(chosen.path, settings);
     timing_ = port.timing();
     if (std::string const nearest = opened == errc::device_not_found ? nearest_device(chosen.path) : "";
@@ -67,7 +69,7 @@ result<void> any_port::open_one(simulated_drives_choice const& chosen, serial_se
         own_failure_ = "sim: " + drives_.failure();
         return errc::device_failed;
     }
-    return port_.emplace<posix_serial>().open(drives_.device());
+    return open_end(port_.emplace<client_end>(), drives_.device());
 }
 
 result<void> any_port::open_one(capture_file const& chosen, serial_settings const&)
@@ -94,7 +96,7 @@ bool any_port::is_open() const noexcept
 
 int any_port::descriptor_number() const noexcept
 {
-    return std::visit([](auto const& port) { return port.descriptor_number(); }, port_);
+    return std::visit([](auto const& port) { return number_of(port); }, port_);
 }
 
 std::string const& any_port::device() const noexcept
@@ -164,6 +166,9 @@ void any_port::note_failure(rtuwire::errc why)
 /// Where nothing that could be read has come; empty where a port has no other.
 std::string any_port::other_protocol() const
 {
+    if (is_simulated()) {
+        return {};
+    }
     if (std::holds_alternative<mbap_stream>(port_)) {
         return "; Modbus TCP was sent: what takes RTU frames over TCP is tcp://" + device();
     }
@@ -211,7 +216,7 @@ rtuwire::byte_view any_port::as_sent(rtuwire::byte_view frame, rtuwire::byte_spa
 
 bool any_port::take_receive_error() noexcept
 {
-    auto* const device = std::get_if<posix_serial>(&port_);
+    auto* const device = std::get_if<host_serial>(&port_);
     if (std::exchange(has_receive_error_, false)) {
         return true;
     }

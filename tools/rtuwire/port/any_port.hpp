@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // A port of whichever kind: a serial device, RTU over TCP, Modbus TCP, simulated drives. A `blocking_client`, `pump`, `serve_once` and
-// `receive_from` take it as they take a `posix_serial`.
+// `receive_from` take it as they take a `host_serial`.
 #pragma once
 
 #include <string>
@@ -35,7 +35,7 @@ class any_port {
 public:
     /// Opens what was described; what was open before is closed. The settings are of a serial device. A serial device
     /// server has its own; they tell how long the silence on its wire has to be. Simulated drives have none. On an error nothing is open and `failure()` says why:
-    /// those of `posix_serial::open`, of `tcp_stream::open` and of `mbap_stream::open`; `device_not_serial` for a capture file.
+    /// those of `host_serial::open`, of `tcp_stream::open` and of `mbap_stream::open`; `device_not_serial` for a capture file.
     rtuwire::result<void> open(port_description const& described, rtuwire::serial_settings const& settings = {});
 
     void close() noexcept;
@@ -113,7 +113,7 @@ private:
     std::string other_protocol() const;
 
     simulated_drives drives_{}; ///< outlives the port to them
-    std::variant<rtuwire::posix_serial, rtuwire::tcp_stream, rtuwire::mbap_stream> port_{};
+    std::variant<rtuwire::host_serial, rtuwire::tcp_stream, rtuwire::mbap_stream> port_{};
     rtuwire::line_timing timing_{rtuwire::line_timing::without_wire()};
     std::size_t heard_{0};
     bool has_sent_{false};

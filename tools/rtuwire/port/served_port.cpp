@@ -3,29 +3,14 @@
 #include "port/served_port.hpp"
 
 #include <array>
-#include <filesystem>
-#include <system_error>
+#include <chrono>
+#include <span>
 #include <utility>
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <termios.h>
-#include <unistd.h>
-
+#include "../support/platform.hpp"
 #include "exit_status.hpp"
 
 namespace tool {
-
-namespace {
-
-bool is_pseudo_terminal(std::string const& path)
-{
-    std::error_code none;
-    return std::filesystem::canonical(path, none).string().starts_with("/dev/pts/");
-}
-
-} // namespace
 
 std::string tcp_listener::listen(tcp_address const& where)
 {
@@ -43,25 +28,24 @@ void tcp_listener::accept_one()
 void tcp_listener::write(rtuwire::byte_view bytes, rtuwire::instant)
 {
     if (client_.is_open()) {
-        static_cast<void>(::send(client_.descriptor_number(), bytes.data(), bytes.size(),
-                                 MSG_NOSIGNAL)); // one that is gone reads nothing
+        static_cast<void>(send_at_once(client_.descriptor_number(), bytes)); // one that is gone reads nothing
     }
 }
 
 rtuwire::byte_span tcp_listener::read(rtuwire::byte_span place, rtuwire::instant until)
 {
     rtuwire::duration const left = until - rtuwire::steady_now();
-    std::array<pollfd, 2> watched{pollfd{listening_.descriptor_number(), POLLIN, 0},
-                                  pollfd{client_.descriptor_number(), POLLIN, 0}};
+    std::array watched{watched_port(listening_.descriptor_number(), POLLIN),
+                       watched_port(client_.descriptor_number(), POLLIN)};
     bool const is_over = reached(rtuwire::steady_now(), until);
-    if (::poll(watched.data(), client_.is_open() ? 2 : 1, is_over ? 0 : static_cast<int>(left.microseconds / 1'000U)) <=
-        0) {
+    std::chrono::milliseconds const limit{is_over ? 0 : left.microseconds / 1'000U};
+    if (poll_ports(std::span{watched}.first(client_.is_open() ? 2 : 1), limit) <= 0) {
         return place.first(0);
     }
     if (client_.is_open() and watched[1].revents != 0) {
-        ssize_t const came = ::recv(client_.descriptor_number(), place.data(), place.size(), 0);
-        if (came > 0) {
-            return place.first(static_cast<std::size_t>(came));
+        auto const came = receive_at_once(client_.descriptor_number(), place);
+        if (came.value_or(0) > 0) {
+            return place.first(*came);
         }
         hang_up();
     }
@@ -83,7 +67,7 @@ served_port::served_port(std::string const& word, rtuwire::serial_settings const
     }
     name_ = word;
     if (auto const* const device = std::get_if<serial_device>(&which.port)) {
-        auto& port = port_.emplace<rtuwire::posix_serial>();
+        auto& port = port_.emplace<rtuwire::host_serial>();
         if (not port.open(device->path, settings)) {
             throw ended{exit_status::port, port.failure()};
         }
@@ -101,22 +85,12 @@ served_port::served_port(std::string const& word, rtuwire::serial_settings const
 
 void served_port::open_pseudo_terminal()
 {
-    auto& port = port_.emplace<rtuwire::pseudo_terminal>();
+    auto& port = port_.emplace<own_terminal>();
     if (not port.open()) {
-        throw ended{exit_status::port, "no pseudo-terminal to be had"};
+        throw ended{exit_status::port, no_terminal_text};
     }
     name_ = port.path();
-    // A pseudo-terminal has no parity: a client's request for 8E1 is refused where nothing of it changes anything, so it finds
-    // another bit rate here than any that it asks for.
-    int const far = ::open(name_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    termios settings{};
-    if (far >= 0 and ::tcgetattr(far, &settings) == 0) {
-        ::cfsetspeed(&settings, B50);
-        static_cast<void>(::tcsetattr(far, TCSANOW, &settings));
-    }
-    if (far >= 0) {
-        ::close(far);
-    }
+    set_unusual_rate(name_);
 }
 
 void served_port::renew()
@@ -130,11 +104,11 @@ void served_port::renew()
 
 bool served_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
 {
-    if (auto* const device = std::get_if<rtuwire::posix_serial>(&port_)) {
+    if (auto* const device = std::get_if<rtuwire::host_serial>(&port_)) {
         if (not device->write(bytes, until)) {
             throw ended{exit_status::port, device->failure()};
         }
-    } else if (auto* const terminal = std::get_if<rtuwire::pseudo_terminal>(&port_)) {
+    } else if (auto* const terminal = std::get_if<own_terminal>(&port_)) {
         return terminal->write(bytes, until).has_value(); // full where nobody reads
     } else {
         std::get<tcp_listener>(port_).write(bytes, until);
@@ -147,7 +121,7 @@ rtuwire::byte_span served_port::read(rtuwire::byte_span place, rtuwire::instant 
     if (auto* const listener = std::get_if<tcp_listener>(&port_)) {
         return listener->read(place, until);
     }
-    if (auto* const device = std::get_if<rtuwire::posix_serial>(&port_)) {
+    if (auto* const device = std::get_if<rtuwire::host_serial>(&port_)) {
         auto const came = device->read(place, until);
         if (not came) {
             throw ended{exit_status::port, device->failure()};
@@ -155,7 +129,7 @@ rtuwire::byte_span served_port::read(rtuwire::byte_span place, rtuwire::instant 
         static_cast<void>(device->take_receive_error()); // its frame's CRC tells
         return *came;
     }
-    auto const came = std::get<rtuwire::pseudo_terminal>(port_).read(place, until);
+    auto const came = std::get<own_terminal>(port_).read(place, until);
     if (not came) {
         throw ended{exit_status::port, name_ + ": the pseudo-terminal failed"};
     }

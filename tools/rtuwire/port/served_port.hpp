@@ -8,6 +8,7 @@
 
 #include <rtuwire/port.hpp>
 
+#include "port/own_terminal.hpp"
 #include "port/port_word.hpp"
 
 namespace tool {
@@ -17,6 +18,8 @@ class tcp_listener {
 public:
     /// Why it cannot, beginning with host and port; empty where it listens.
     std::string listen(tcp_address const& where);
+    /// Where it listens: "127.0.0.1:4001".
+    std::string const& device() const noexcept { return listening_.device(); }
     /// Lets the client go.
     void hang_up() noexcept { client_.close(); }
 
@@ -43,7 +46,7 @@ public:
 
     /// What a client opens. Of a serial device that is its other end, whose name nobody knows here.
     std::string const& name() const { return name_; }
-    bool is_device() const { return std::holds_alternative<rtuwire::posix_serial>(port_); }
+    bool is_device() const { return std::holds_alternative<rtuwire::host_serial>(port_); }
     /// Whether bytes take the time there that they take on a wire: not between pseudo-terminals, which are devices, too.
     bool has_wire() const { return has_wire_; }
     bool is_network() const { return std::holds_alternative<tcp_listener>(port_); }
@@ -59,7 +62,7 @@ public:
 private:
     void open_pseudo_terminal();
 
-    std::variant<rtuwire::pseudo_terminal, rtuwire::posix_serial, tcp_listener> port_{};
+    std::variant<own_terminal, rtuwire::host_serial, tcp_listener> port_{};
     std::string name_{};
     bool has_wire_{false};
 };

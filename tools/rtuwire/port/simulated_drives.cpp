@@ -11,9 +11,10 @@
 
 #include <rtuwire/port.hpp>
 
+#include "../support/platform.hpp"
+#include "port/inner_line.hpp"
 #include "port/simulated_device.hpp"
 #include "port/simulated_line.hpp"
-#include "port/without_signals.hpp"
 
 namespace tool {
 
@@ -29,7 +30,7 @@ constexpr rtuwire::duration longest_pass = rtuwire::milliseconds(10);
 
 class simulated_drives::running_line {
 public:
-    running_line(rtuwire::pseudo_terminal port, simulated_drives_choice const& choice)
+    running_line(drives_end port, simulated_drives_choice const& choice)
         : port_{std::move(port)}, line_{port_, timing()}
     {
         for (simulated_drive_choice const& each : choice.drives) {
@@ -65,8 +66,8 @@ private:
         }
     }
 
-    rtuwire::pseudo_terminal port_;
-    simulated_line<rtuwire::pseudo_terminal> line_;
+    drives_end port_;
+    simulated_line<drives_end> line_;
     std::promise<void> is_ready_{};
     std::atomic<bool> shall_end_{false};
     std::thread thread_{};
@@ -80,7 +81,7 @@ simulated_drives::~simulated_drives() = default;
 bool simulated_drives::start(simulated_drives_choice const& choice)
 {
     stop();
-    rtuwire::pseudo_terminal port;
+    drives_end port;
     if (not port.open()) {
         failure_ = "cannot allocate a pseudo-terminal";
         return false;

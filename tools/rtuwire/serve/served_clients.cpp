@@ -3,11 +3,9 @@
 #include "serve/served_clients.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <ctime>
+#include <array>
+#include <span>
 #include <utility>
-
-#include <sys/socket.h>
 
 #include "exit_status.hpp"
 #include "frame/hex_text.hpp"
@@ -31,16 +29,6 @@ constexpr short hung_up = 0; // only where both directions have ended
 constexpr short failed = POLLERR | POLLHUP | POLLNVAL;
 
 serve_time now() { return std::chrono::steady_clock::now(); }
-
-/// What can be sent without waiting; nothing where the connection is gone.
-template <typename Bytes> std::optional<std::size_t> send_part(int line, Bytes const& bytes)
-{
-    ssize_t const count = ::send(line, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (count >= 0) {
-        return static_cast<std::size_t>(count);
-    }
-    return errno == EAGAIN or errno == EINTR ? std::optional<std::size_t>{0} : std::nullopt;
-}
 
 std::vector<std::byte> exception_to(served_request const& to, errc exception)
 {
@@ -73,12 +61,7 @@ void served_clients::listen()
 void served_clients::begin()
 {
     note_signals();
-    sigset_t ending{};
-    ::sigemptyset(&ending);
-    for (int const each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
-        ::sigaddset(&ending, each);
-    }
-    ::sigprocmask(SIG_BLOCK, &ending, &unblocked_); // seen where this program waits, and nowhere else
+    waiting_.begin();
     if (settings_.last) {
         last_ =
             now() + std::chrono::duration_cast<serve_time::duration>(std::chrono::duration<double>{*settings_.last});
@@ -205,23 +188,22 @@ bool served_clients::pass(int descriptor, short events, serve_time until)
 {
     note_end(now());
     bool const can_accept = now() >= next_accept_;
-    std::vector<pollfd> watched{{descriptor, events, 0}, {can_accept ? metrics_.descriptor_number() : -1, POLLIN, 0}};
+    std::vector<pollfd> watched{watched_port(descriptor, events),
+                                watched_port(can_accept ? metrics_.descriptor_number() : -1, POLLIN)};
     for (listener const& each : listeners_) {
-        watched.push_back({can_accept ? each.socket.descriptor_number() : -1, POLLIN, 0});
+        watched.push_back(watched_port(can_accept ? each.socket.descriptor_number() : -1, POLLIN));
     }
     for (client& each : clients_) {
         bool const can_take = not is_held(each) and not each.requests.room().empty();
-        watched.push_back({each.line.descriptor_number(),
-                           static_cast<short>((can_take ? POLLIN : hung_up) | (each.out.empty() ? 0 : POLLOUT)), 0});
+        watched.push_back(
+            watched_port(each.line.descriptor_number(),
+                         static_cast<short>((can_take ? POLLIN : hung_up) | (each.out.empty() ? 0 : POLLOUT))));
     }
     for (reader const& each : readers_) {
-        watched.push_back({each.line.descriptor_number(), static_cast<short>(each.out.empty() ? POLLIN : POLLOUT), 0});
+        watched.push_back(watched_port(each.line.descriptor_number(), each.out.empty() ? POLLIN : POLLOUT));
     }
     auto const left = std::max(next_deadline(until) - now(), serve_time::duration{});
-    auto const seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
-    timespec const limit{static_cast<time_t>(seconds.count()),
-                         static_cast<long>(std::chrono::nanoseconds{left - seconds}.count())};
-    int const ready = ::ppoll(watched.data(), static_cast<nfds_t>(watched.size()), &limit, &unblocked_);
+    int const ready = waiting_.wait(watched, left);
     serve_time const at = now();
     note_end(at);
     auto found = watched.begin();
@@ -300,13 +282,13 @@ void served_clients::serve(client& one, short events, serve_time when)
     bool has_read_all = not was_held and not one.requests.room().empty();
     if ((events & POLLIN) != 0 and not was_held) {
         rtuwire::byte_span const room = one.requests.room();
-        ssize_t const count = ::recv(one.line.descriptor_number(), room.data(), room.size(), 0);
-        if (count == 0 or (count < 0 and errno != EAGAIN and errno != EINTR)) {
+        auto const count = receive_at_once(one.line.descriptor_number(), room);
+        if (not count) {
             one.gone = "it left";
             return;
         }
-        if (count > 0) {
-            one.requests.add(static_cast<std::size_t>(count), when);
+        if (*count > 0) {
+            one.requests.add(*count, when);
             one.heard = when;
         }
         has_read_all = count < static_cast<ssize_t>(room.size());
@@ -409,7 +391,7 @@ void served_clients::answer(client& one, served_request const& to, byte_view pdu
 
 void served_clients::send(client& one, serve_time when)
 {
-    auto const sent = send_part(one.line.descriptor_number(), one.out);
+    auto const sent = send_at_once(one.line.descriptor_number(), std::as_bytes(std::span{one.out}));
     if (not sent) {
         one.gone = "it left";
         return;
@@ -427,14 +409,14 @@ void served_clients::serve(reader& one, short events)
 {
     one.is_gone = now() >= one.ends or (events & failed) != 0;
     if ((events & POLLIN) != 0) {
-        char bytes[1'024];
-        ssize_t const count = ::recv(one.line.descriptor_number(), bytes, sizeof bytes, 0);
-        one.is_gone = one.is_gone or count == 0 or (count < 0 and errno != EAGAIN and errno != EINTR);
-        one.in.append(bytes, count > 0 ? static_cast<std::size_t>(count) : 0);
+        std::array<char, 1'024> bytes;
+        auto const count = receive_at_once(one.line.descriptor_number(), std::as_writable_bytes(std::span{bytes}));
+        one.is_gone = one.is_gone or not count;
+        one.in.append(bytes.data(), count.value_or(0));
         one.out = http_response(one.in, [this] { return counts_.text(); }).value_or("");
     }
     if (not one.out.empty() and not one.is_gone) {
-        auto const sent = send_part(one.line.descriptor_number(), one.out);
+        auto const sent = send_at_once(one.line.descriptor_number(), std::as_bytes(std::span{one.out}));
         one.out.erase(0, sent.value_or(0));
         one.is_gone = not sent or one.out.empty();
     }

@@ -4,7 +4,6 @@
 // connection keeps another, or the line, waiting, and none holds more than a few requests and answers.
 #pragma once
 
-#include <csignal>
 #include <cstdint>
 #include <list>
 #include <optional>
@@ -13,10 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include <poll.h>
-
 #include <rtuwire/port.hpp>
 
+#include "../support/platform.hpp"
 #include "port/any_port.hpp"
 #include "serve/client_requests.hpp"
 #include "serve/request_queue.hpp"
@@ -142,7 +140,7 @@ private:
     serve_time noted_since_{};
     std::size_t noted_{0};
     std::uint64_t latest_number_{0};
-    sigset_t unblocked_{};
+    ending_seen_in_wait waiting_{};
     serve_time next_accept_{};
     std::optional<serve_time> last_{};    ///< when the time limit is over
     std::optional<serve_time> ends_at_{}; ///< when the line is waited for no more
