@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "../support/platform.hpp"
 #include "command_words.hpp"
 #include "commands/commands.hpp"
 #include "configuration.hpp"
@@ -127,20 +128,6 @@ void leave_out_configuration(CLI::App const& app, choices const& chosen, std::st
                  chosen.line.baud, chosen.line.format.c_str());
 }
 
-/// A word as a shell takes it.
-std::string quoted(std::string const& word)
-{
-    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_/.:,=@%+-";
-    if (not word.empty() and word.find_first_not_of(plain) == std::string::npos) {
-        return word;
-    }
-    std::string text{"'"};
-    for (char const each : word) {
-        text += each == '\'' ? std::string{"'\\''"} : std::string{each};
-    }
-    return text + "'";
-}
-
 /// An option as it was typed: " -p /dev/ttyUSB0"; empty where it was not.
 std::string typed_text(CLI::Option const& option)
 {
@@ -162,7 +149,7 @@ typed_line typed_in(CLI::App const& app, std::string_view program)
     constexpr std::string_view others[] = {"help",      "version", "json",    "csv",  "write",
                                            "allow-run", "yes",     "verbose", "trace"};
     typed_line typed;
-    if (program.find('/') != std::string_view::npos) { // it may not stand where a shell looks for it
+    if (program.find_first_of("/\\") != std::string_view::npos) { // it may not stand where a shell looks for it
         typed.program = quoted(std::string{program});
     }
     for (CLI::Option const* const each : app.get_options()) {
@@ -280,7 +267,7 @@ exit_status show(CLI::App const& app, CLI::ParseError const& what)
 {
     std::ostringstream text;
     app.exit(what, text);
-    return print(text.str());
+    return print(with_own_port(text.str()));
 }
 
 exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
@@ -346,7 +333,7 @@ parsed parse(int argc, char** argv)
         "--config", ignored,
         "a file with what is said each time: port, unit, baud, format, drive, name, timeout, retries, pause,\n"
         "echo, listen, such as port = \"/dev/ttyUSB0\" and name = [\"fan=7:atv320\"];\n"
-        "without it ./rtuwire.toml, then $XDG_CONFIG_HOME/rtuwire.toml");
+        "without it ./rtuwire.toml, then " TOOL_CONFIGURATION);
     add_words(app, chosen);
     try {
         app.parse(argc, argv);

@@ -28,7 +28,7 @@ struct emergency_stop {
     std::array<std::byte, 260> frame{};
     std::size_t size{0};
 
-    /// `port` is any that has a `descriptor_number()`, and `as_sent` where a frame goes there in another form; `command` is
+    /// `port` is any that has a number of the system's, and `as_sent` where a frame goes there in another form; `command` is
     /// the address of the drive's control word.
     template <typename Port> void arm(Port const& port, rtuwire::unit_id drive, std::uint16_t command)
     {
@@ -43,7 +43,7 @@ struct emergency_stop {
         }
         std::copy(sent.begin(), sent.end(), frame.begin());
         size = sent.size();
-        line = written ? port.descriptor_number() : -1;
+        line = written ? number_of(port) : -1;
     }
 
     void disarm() noexcept { line = -1; }

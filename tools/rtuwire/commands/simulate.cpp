@@ -57,8 +57,8 @@ port_description place_in(std::string const& word)
     }
     if (not std::holds_alternative<serial_device>(which.port) and
         not std::holds_alternative<mbap_address>(which.port)) {
-        refuse_word("--port " + word + ": drives are simulated on a serial device, such as /dev/ttyUSB0, behind " +
-                    "mbap://127.0.0.1:1502, or on a pseudo-terminal where no port is given");
+        refuse_word("--port " + word + ": drives are simulated on a serial device, such as " + example_port +
+                    ", behind " + "mbap://127.0.0.1:1502, or on a pseudo-terminal where no port is given");
     }
     return std::move(which.port);
 }

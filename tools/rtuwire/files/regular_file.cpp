@@ -96,7 +96,7 @@ void appended_file::write(std::string const& text)
     off_t const begin = size_of(file);
     std::size_t done = 0;
     while (done < text.size()) {
-        ssize_t const added = ::write(file, text.data() + done, text.size() - done);
+        std::ptrdiff_t const added = write_some(file, std::string_view{text}.substr(done));
         if (added < 0 and errno == EINTR) {
             continue;
         }

@@ -28,7 +28,7 @@ template <typename Action> std::string with_log(Action action)
 {
     std::filesystem::path const file = write_log_file();
     if (file.empty()) {
-        return "there is no home for writes.log: set HOME or XDG_STATE_HOME";
+        return "there is no home for writes.log: set " TOOL_HOME;
     }
     std::error_code ignored; // the file itself tells
     std::filesystem::create_directories(file.parent_path(), ignored);

@@ -4,8 +4,10 @@
 // this computer, and nobody else is served but at an address or on a serial port.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
-#include <utility>
 
 #include <rtuwire/port.hpp>
 

@@ -8,10 +8,9 @@
 #include <fstream>
 #include <utility>
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <sys/stat.h>
 
+#include "../support/platform.hpp"
 #include "port/simulated_words.hpp"
 #include "port/usage_error.hpp"
 
@@ -19,8 +18,11 @@ namespace tool {
 
 namespace {
 
-constexpr std::string_view forms =
-    "a port is /dev/ttyUSB0, tcp://host:4001, mbap://host, sim:atv320:7,atv12:3, sim:meter.toml:61 or a capture file";
+std::string forms()
+{
+    return std::string{"a port is "} + example_port +
+           ", tcp://host:4001, mbap://host, sim:atv320:7,atv12:3, sim:meter.toml:61 or a capture file";
+}
 
 /// What a word means; or what is wrong with it, and what may have been meant.
 struct meaning {
@@ -115,7 +117,7 @@ meaning unknown(std::string_view word)
     if (std::string device = "/dev/" + std::string{word}; not word.empty() and ::stat(device.c_str(), &info) == 0) {
         return wrong("there is no such file here", std::move(device));
     }
-    return wrong(std::string{forms});
+    return wrong(forms());
 }
 
 /// A file of frames begins with the block of a section (pcapng), or with one of two numbers in one of two orders (pcap).
@@ -133,6 +135,9 @@ bool is_capture(std::string const& path)
 meaning read_path(std::string_view word)
 {
     std::string const path{word};
+    if (is_port_name(word)) {
+        return found(serial_device{path});
+    }
     struct stat info {};
     if (::stat(path.c_str(), &info) != 0) {
         return word.find('/') == word.npos ? unknown(word) : found(serial_device{path});

@@ -78,7 +78,8 @@ served_port::served_port(std::string const& word, rtuwire::serial_settings const
             throw ended{exit_status::port, "tcp://" + why};
         }
     } else {
-        refuse_word("--port " + word + ": a client is served on a serial device, such as /dev/ttyUSB0, at an address " +
+        refuse_word("--port " + word + ": a client is served on a serial device, such as " + example_port +
+                    ", at an address " +
                     "to listen on, such as tcp://127.0.0.1:4001, or on a pseudo-terminal where no port is given");
     }
 }

@@ -82,7 +82,9 @@ std::uint32_t free_unit(std::vector<simulated_drive_choice> const& drives)
 /// Adds one drive; or says what is wrong with it.
 void add(simulated_words& found, drive_word const& at)
 {
-    std::size_t const colon = (std::min)(at.word().rfind(':'), at.size);
+    std::size_t const last = (std::min)(at.word().rfind(':'), at.size);
+    bool const is_drive = at.word().find_first_of("/\\", last) != std::string_view::npos; // of a path: C:\meter.toml
+    std::size_t const colon = is_drive ? at.size : last;
     std::string const name{at.word().substr(0, colon)};
     std::string const number{colon == at.size ? "1" : at.word().substr(colon + 1)};
     auto const drive = drive_named(name);

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include <arpa/inet.h>
-
+#include "../support/platform.hpp"
 #include "port/usage_error.hpp"
 
 namespace tool {

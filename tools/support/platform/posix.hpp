@@ -17,6 +17,7 @@
 #include <string_view>
 #include <system_error>
 
+#include <arpa/inet.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <poll.h>
@@ -65,6 +66,12 @@ inline bool is_terminal_own() noexcept
 
 /// Throws away what was typed on the terminal of the standard input, and nobody has read.
 inline void flush_typed() noexcept { ::tcflush(STDIN_FILENO, TCIFLUSH); }
+
+/// As ::write.
+inline std::ptrdiff_t write_some(int descriptor, std::string_view text) noexcept
+{
+    return ::write(descriptor, text.data(), text.size());
+}
 
 /// Writes all of a text, however long that takes: 0, or the system's number of the failure.
 inline int write_blocking(int descriptor, std::string_view text) noexcept
@@ -250,6 +257,35 @@ inline int reserve_room(std::FILE* stream, off_t end, std::size_t size) noexcept
     }
 #endif
     return 0;
+}
+
+/// Whether a word is the name of a port that no file system has.
+inline bool is_port_name(std::string_view) noexcept { return false; }
+
+/// What names the place of states.
+#define TOOL_HOME "HOME or XDG_STATE_HOME"
+
+/// Where the configuration is, in words.
+#define TOOL_CONFIGURATION "$XDG_CONFIG_HOME/rtuwire.toml"
+
+/// What a serial port is called here.
+constexpr char const* example_port = "/dev/ttyUSB0";
+
+/// A text for people whose examples are those of this system.
+inline std::string with_own_port(std::string text) { return text; }
+
+/// A word as a shell takes it.
+inline std::string quoted(std::string const& word)
+{
+    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_/.:,=@%+-";
+    if (not word.empty() and word.find_first_not_of(plain) == std::string::npos) {
+        return word;
+    }
+    std::string text{"'"};
+    for (char const each : word) {
+        text += each == '\'' ? std::string{"'\\''"} : std::string{each};
+    }
+    return text + "'";
 }
 
 /// Where a user's own things of that kind are: settings, states, data.

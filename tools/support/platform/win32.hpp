@@ -24,8 +24,11 @@
 #include <utility>
 #include <vector>
 
-#include <windows.h>
+// These first: <windows.h> would bring the first Winsock.
 #include <winsock2.h>
+#include <ws2tcpip.h>
+
+#include <windows.h>
 
 #include <fcntl.h>
 #include <io.h>
@@ -69,6 +72,13 @@ public:
         }
         restored_ = this;
         std::atexit([] { restored_->restore(); });
+        // Asked last of all handlers: where none keeps the program from its end.
+        ::SetConsoleCtrlHandler(
+            [](DWORD) -> BOOL {
+                restored_->restore();
+                return FALSE;
+            },
+            TRUE);
     }
 
     void restore() const noexcept
@@ -233,6 +243,11 @@ inline bool is_terminal_own() noexcept { return true; }
 
 inline void flush_typed() noexcept { platform::standard_input.forget(); }
 
+inline std::ptrdiff_t write_some(int descriptor, std::string_view text) noexcept
+{
+    return ::_write(descriptor, text.data(), static_cast<unsigned>(text.size()));
+}
+
 inline int write_blocking(int descriptor, std::string_view text) noexcept
 {
     constexpr std::size_t most = 8'192;
@@ -276,8 +291,7 @@ inline bool write_at_once(int descriptor, std::string_view text) noexcept
 /// Whether the write that failed just now had nobody who reads.
 inline bool is_reader_gone() noexcept
 {
-    unsigned long why = 0;
-    ::_get_doserrno(&why);
+    unsigned long const why = _doserrno;
     return errno == EPIPE or why == ERROR_NO_DATA or why == ERROR_BROKEN_PIPE;
 }
 
@@ -437,6 +451,39 @@ inline int reserve_room(std::FILE* stream, off_t, std::size_t size) noexcept
                                     static_cast<DWORD>(path.size()), FILE_NAME_NORMALIZED) != 0 and
         ::GetDiskFreeSpaceExW(std::filesystem::path{path.data()}.parent_path().c_str(), &left, nullptr, nullptr) != 0;
     return is_known and left.QuadPart < size ? ENOSPC : 0;
+}
+
+/// "COM3", "com10", and what begins with \\\\.\\.
+inline bool is_port_name(std::string_view word) noexcept
+{
+    constexpr std::string_view letters = "COM";
+    bool is_com = word.size() > letters.size() and word.find_first_not_of("0123456789", letters.size()) == word.npos;
+    for (std::size_t i = 0; i < letters.size() and is_com; ++i) {
+        is_com = word[i] == letters[i] or word[i] == letters[i] + ('a' - 'A');
+    }
+    return is_com or word.starts_with("\\\\.\\");
+}
+
+#define TOOL_HOME "LOCALAPPDATA"
+
+#define TOOL_CONFIGURATION "%APPDATA%\\rtuwire\\rtuwire.toml"
+
+constexpr char const* example_port = "COM3";
+
+inline std::string with_own_port(std::string text)
+{
+    constexpr std::string_view other = "/dev/ttyUSB0";
+    for (std::size_t at = text.find(other); at != text.npos; at = text.find(other, at)) {
+        text.replace(at, other.size(), example_port);
+    }
+    return text;
+}
+
+inline std::string quoted(std::string const& word)
+{
+    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_\\/.:=@+-";
+    bool const is_plain = not word.empty() and word.find_first_not_of(plain) == std::string::npos;
+    return is_plain ? word : '"' + word + '"';
 }
 
 /// Where a user's own things of that kind are: settings, states, data.
