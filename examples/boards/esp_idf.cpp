@@ -91,9 +91,7 @@ extern "C" void app_main()
         if (ask.settled()) {
             auto const response = ask.outcome();
             trouble = response.error();
-            if (response) {
-                value = response->to<read_holding_registers>()->registers[0];
-            }
+            value = response ? response->to<read_holding_registers>()->registers[0] : value;
             ask.again();
         }
         transmit(link);

@@ -74,14 +74,12 @@ template <typename Engine> void receive(Engine& link)
 
 template <typename Engine> void transmit(Engine& link)
 {
-    byte_view const frame = link.poll_transmit();
-    if (frame.empty()) {
-        return;
-    }
-    enable_driver(true);
-    if (Driver_USART1.Send(frame.data(), static_cast<std::uint32_t>(frame.size())) != ARM_DRIVER_OK) {
-        enable_driver(false);
-        link.sent(now()); // nothing left: the request's time-out tells
+    if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
+        enable_driver(true);
+        if (Driver_USART1.Send(frame.data(), static_cast<std::uint32_t>(frame.size())) != ARM_DRIVER_OK) {
+            enable_driver(false);
+            link.sent(now()); // nothing left: the request's time-out tells
+        }
     }
 }
 
@@ -101,9 +99,7 @@ extern "C" void modbus_task(void*)
         if (ask.settled()) {
             auto const response = ask.outcome();
             trouble = response.error();
-            if (response) {
-                value = response->to<read_holding_registers>()->registers[0];
-            }
+            value = response ? response->to<read_holding_registers>()->registers[0] : value;
             ask.again();
         }
         transmit(link);

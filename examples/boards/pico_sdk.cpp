@@ -3,7 +3,6 @@
 // RP2040 and RP2350 with the plain pico-sdk: a client on UART1, TX on GPIO 4, RX on 5, driver enable on 3.
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 
 #include <hardware/gpio.h>
 #include <hardware/irq.h>
@@ -79,7 +78,6 @@ void rest() { best_effort_wfe_or_timeout(make_timeout_time_us(1'000)); }
 
 int main()
 {
-    stdio_init_all();
     open_line();
     client link{line_timing{19'200, character_format::even_8_1}};
     single_request ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};
@@ -89,9 +87,7 @@ int main()
         if (ask.settled()) {
             auto const response = ask.outcome();
             trouble = response.error();
-            if (response) {
-                value = response->to<read_holding_registers>()->registers[0];
-            }
+            value = response ? response->to<read_holding_registers>()->registers[0] : value;
             ask.again();
         }
         transmit(link);

@@ -39,15 +39,13 @@ template <typename Engine> void receive(Engine& link)
 
 template <typename Engine> void transmit(Engine& link)
 {
-    byte_view const frame = link.poll_transmit();
-    if (frame.empty()) {
-        return;
-    }
-    enable_driver(true);
-    auto const* const bytes = reinterpret_cast<std::uint8_t const*>(frame.data());
-    if (HAL_UART_Transmit_IT(&huart1, bytes, static_cast<std::uint16_t>(frame.size())) != HAL_OK) {
-        enable_driver(false);
-        link.sent(now()); // nothing left: the request's time-out tells
+    if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
+        enable_driver(true);
+        auto const* const bytes = reinterpret_cast<std::uint8_t const*>(frame.data());
+        if (HAL_UART_Transmit_IT(&huart1, bytes, static_cast<std::uint16_t>(frame.size())) != HAL_OK) {
+            enable_driver(false);
+            link.sent(now()); // nothing left: the request's time-out tells
+        }
     }
 }
 
@@ -99,9 +97,7 @@ extern "C" void run_modbus()
         if (ask.settled()) {
             auto const response = ask.outcome();
             trouble = response.error();
-            if (response) {
-                value = response->to<read_holding_registers>()->registers[0];
-            }
+            value = response ? response->to<read_holding_registers>()->registers[0] : value;
             ask.again();
         }
         transmit(link);

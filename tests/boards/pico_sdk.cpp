@@ -47,7 +47,6 @@ struct pico_sdk {
 
 uart_inst_t* const stand_in_uart1 = nullptr;
 
-bool stdio_init_all() { return true; }
 uint32_t time_us_32() { return stand_in::line.now_32(); }
 absolute_time_t make_timeout_time_us(uint64_t us) { return stand_in::line.now() + us; }
 bool best_effort_wfe_or_timeout(absolute_time_t timeout)

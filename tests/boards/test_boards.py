@@ -15,8 +15,8 @@ PROJECT = HERE.parents[1]
 BOARDS = sorted(path.stem for path in (PROJECT / "examples/boards").glob("*.cpp") if (HERE / f"{path.stem}.cpp").exists())
 STRICT = ["-std=c++20", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"]
 SMALL = ["-Os", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics"]
-# A declaration of a function: what it returns, its name, what it takes.
-DECLARATION = re.compile(r"^(?P<before> *(?:virtual )?(?!return|typedef|inline|#)[\w:]+[\w: *&]*?[ *&])(?P<name>\w+)\((?P<takes>[^()]*)\)"
+# A declaration of a function, or of a pointer to one: what it returns, its name, what it takes.
+DECLARATION = re.compile(r"^(?P<before> *(?:virtual )?(?!return|typedef|inline|#)[\w:]+[\w: *&]*?[ *&(]+)(?P<name>\w+\)?)\((?P<takes>[^()]*)\)"
                          r"(?P<after>(?: = 0| override)?;)$", re.MULTILINE)
 
 
@@ -56,7 +56,8 @@ def with_another_parameter(found):
 
 def with_another_result(found):
     indent = re.match(r" *(?:virtual )?", found["before"])[0]
-    return f"{indent}stand_in_other {found['name']}({found['takes']}){found['after']}"
+    star = "(*" if found["name"].endswith(")") else ""
+    return f"{indent}stand_in_other {star}{found['name']}({found['takes']}){found['after']}"
 
 
 def unseen_changes(board, change):
@@ -66,7 +67,7 @@ def unseen_changes(board, change):
         names = set()
         for path in pathlib.Path(place).rglob("*.h"):
             text = path.read_text(encoding="utf-8")
-            names |= {found["name"] for found in DECLARATION.finditer(text) if not found["name"].startswith("stand_in_")}
+            names |= {found["name"].rstrip(")") for found in DECLARATION.finditer(text) if not found["name"].startswith("stand_in_")}
             text = DECLARATION.sub(lambda found: found[0] if found["name"].startswith("stand_in_") else change(found), text)
             path.write_text(text.replace("#pragma once\n", "#pragma once\nstruct stand_in_other;\n", 1), encoding="utf-8")
         said = facts(board, place)[1]
@@ -93,7 +94,7 @@ class Boards(unittest.TestCase):
                 with self.subTest(board, change=change.__name__):
                     unseen, count = unseen_changes(board, change)
                     self.assertEqual(unseen, set())
-                    self.assertGreater(count, 2)
+                    self.assertGreater(count, 8)
 
     def test_each_compiles_for_its_processors(self):
         for board in BOARDS:

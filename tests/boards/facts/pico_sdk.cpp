@@ -44,8 +44,7 @@ DECLARES(gpio_set_dir, void(uint, bool));
 DECLARES(gpio_put, void(uint, bool));
 DECLARES(gpio_set_function, void(uint, gpio_function_t));
 VALUE(GPIO_FUNC_UART, 2);
-// src/rp2_common/pico_stdio, src/rp2_common/hardware_timer, src/common/pico_time
-DECLARES(stdio_init_all, bool());
+// src/rp2_common/hardware_timer, src/common/pico_time
 DECLARES(time_us_32, uint32_t());
 DECLARES(make_timeout_time_us, absolute_time_t(uint64_t));
 DECLARES(best_effort_wfe_or_timeout, bool(absolute_time_t));

@@ -7,7 +7,6 @@
 #include "types.h"
 
 extern "C" {
-bool stdio_init_all();
 uint32_t time_us_32();
 absolute_time_t make_timeout_time_us(uint64_t us);
 bool best_effort_wfe_or_timeout(absolute_time_t timeout);
