@@ -23,7 +23,8 @@ packages_of() {
         portability) echo gcc-riscv64-unknown-elf gcc-xtensa-lx106 g++-s390x-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         avr) echo clang-19 gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         packaging) echo git cmake ninja-build g++ pkg-config python3 python3-yaml meson debhelper dpkg-dev lintian mmdebstrap ;;
-        download) echo apt dpkg-dev g++-aarch64-linux-gnu qemu-user-static iproute2 ;;
+        download) echo apt dpkg-dev g++-aarch64-linux-gnu qemu-user-static iproute2 g++-mingw-w64-x86-64-posix zip ;;
+        wine) echo wine64 ;;
         style) echo clang-format clang-tidy ;;
         docs) echo doxygen doxygen-awesome-css graphviz g++ clang python3 ;;
         playground) echo clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 ;;

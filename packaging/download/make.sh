@@ -35,39 +35,47 @@ version_of() {
     dpkg-query -W -f "\${$2}" "$1"
 }
 
-# download SYSTEM FOLDER PACKAGES [OPTION OF CMAKE...]: builds it, and lays FOLDER out with the licences of PACKAGES, which are
-# linked.
+# download KIND MACHINE PACKAGES [OPTION OF CMAKE...]: builds it for a machine with linux or windows, and packs it with the
+# licences of PACKAGES, which are linked.
 download() {
-    system=$1 laid=$downloads/$2 tree=$work/build-${2#"$name-"} linked=$3
+    kind=$1 folder=$name-$1-$2 linked=$3
+    tree=$work/build-$1-$2 laid=$downloads/$folder
+    step "tool for $1-$2"
     shift 3
-    step "tool for $system"
+    case $kind in
+        linux) target=rtuwire_tool_texts hardened="-fstack-protector-strong -D_FORTIFY_SOURCE=2" ;;
+        windows) target=rtuwire_tool hardened= ;; # what prints a manual page would be Wine
+    esac
     quietly cmake -S "$work/$name" -B "$tree" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG" \
-        "-DCMAKE_CXX_FLAGS=-ffile-prefix-map=$work=. -fstack-protector-strong -D_FORTIFY_SOURCE=2" \
-        -DRTUWIRE_STATIC_TOOL=ON -DRTUWIRE_COMPILE_JOINED=ON -DRTUWIRE_BUILD_TOOL=ON -DRTUWIRE_BUILD_TESTS=OFF \
-        -DRTUWIRE_BUILD_EXAMPLES=OFF -DRTUWIRE_WARNINGS_ARE_ERRORS=OFF "$@"
-    quietly cmake --build "$tree" --target rtuwire_tool_texts
+        "-DCMAKE_CXX_FLAGS=-ffile-prefix-map=$work=. $hardened" -DRTUWIRE_STATIC_TOOL=ON -DRTUWIRE_COMPILE_JOINED=ON \
+        -DRTUWIRE_BUILD_TOOL=ON -DRTUWIRE_BUILD_TESTS=OFF -DRTUWIRE_BUILD_EXAMPLES=OFF -DRTUWIRE_WARNINGS_ARE_ERRORS=OFF "$@"
+    quietly cmake --build "$tree" --target "$target"
     quietly cmake --install "$tree" --strip --component rtuwire_tool --prefix "$laid"
     mkdir "$laid/licences"
     cp "$work/$name/LICENSE" "$laid/LICENSE"
     cp /usr/share/common-licenses/GPL-3 "$laid/licences/"
-    case $system in
-        Linux*) kind=linux && cp /usr/share/common-licenses/LGPL-2.1 "$laid/licences/" ;;
-        *) kind=windows ;;
-    esac
+    [ "$kind" = windows ] || cp /usr/share/common-licenses/LGPL-2.1 "$laid/licences/"
     : >"$work/linked"
     for package in $linked; do
         cp "/usr/share/doc/$package/copyright" "$laid/licences/$package.txt"
         printf '    %-52s %s\n' "licences/$package.txt" "$(version_of "$package" Version)" >>"$work/linked"
     done
-    sed -e "s/^@$kind //" -e '/^@[a-z]/d' -e "s/@VERSION@/$version/g" -e "s/@SYSTEM@/$system/g" -e "/@LINKED@/{
+    sed -e "s/^@$kind //" -e '/^@[a-z]/d' -e "s/@VERSION@/$version/g" -e "s/@SYSTEM@/$kind-${folder##*-}/g" -e "/@LINKED@/{
         r $work/linked
         d
     }" "$work/$name/packaging/download/README.txt" >"$laid/README.txt"
+    case $kind in
+        linux) pack "$downloads" "$folder" >"$made/$folder.tar.gz" ;;
+        windows)
+            find "$laid" -type d -empty -delete
+            find "$laid" -exec touch -hd "@$SOURCE_DATE_EPOCH" {} +
+            (cd "$downloads" && find "$folder" | sort | zip -q -X -@ "$made/$folder.zip")
+            ;;
+    esac
 }
 
 headers="libcli11-dev nlohmann-json3-dev libtomlplusplus-dev"
-download "Linux x86-64" "$name-linux-x86_64" "libc6-dev libstdc++-12-dev libyaml-cpp-dev $headers"
-pack "$downloads" "$name-linux-x86_64" >"$made/$name-linux-x86_64.tar.gz"
+download linux x86_64 "libc6-dev libstdc++-12-dev libyaml-cpp-dev $headers"
 
 step "libraries of arm64, sources of glibc"
 quietly apt_lists arm64 deb
@@ -76,9 +84,10 @@ quietly apt_lists arm64 deb
 for package in "$apt"/arm64/archives/*.deb; do
     dpkg-deb -x "$package" "$arm64"
 done
-download "Linux arm64" "$name-linux-arm64" "libc6-dev libstdc++-12-dev-arm64-cross libyaml-cpp-dev $headers" \
+download linux arm64 "libc6-dev libstdc++-12-dev-arm64-cross libyaml-cpp-dev $headers" \
     --toolchain "$work/$name/cmake/aarch64-linux-gnu.cmake" "-DRTUWIRE_ARM64_ROOT=$arm64"
-pack "$downloads" "$name-linux-arm64" >"$made/$name-linux-arm64.tar.gz"
+download windows x86_64 "mingw-w64-common gcc-mingw-w64-x86-64-posix-runtime $headers" \
+    --toolchain "$work/$name/cmake/x86_64-w64-mingw32.cmake"
 
 quietly apt_lists amd64 deb-src
 (cd "$made" && quietly apt_for amd64 source --download-only "glibc=$(version_of libc6-dev source:Version)")

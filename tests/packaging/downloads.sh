@@ -9,7 +9,7 @@ place=$project/build/packaging/downloads
 cd "$project"
 exec </dev/null
 
-sh tests/packages.sh build tool packaging download
+sh tests/packages.sh build tool packaging download wine
 rm -rf "$place"
 mkdir -p "$place"
 for folder in near farther/away; do

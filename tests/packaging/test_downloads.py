@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tarfile
 import time
+import zipfile
 
 from support import HERE, PROJECT, RELEASE, InAFolder, run, version
 
@@ -21,9 +22,13 @@ SCAN = ("-p", "sim:atv320:7", "scan", "--units", "1-10")
 READ = ("-p", "sim:atv320:7", "-u", "7", "read", "RFR")
 NAMES = ("127.0.0.1", "localhost", "gateway.example")
 # What each part's terms say.
-TERMS = {"libc6": "GNU Lesser General Public", "libstdc++": "GCC Runtime Library Exception",
-         "libyaml-cpp": "Permission is hereby granted", "libcli11": "Redistribution and use",
-         "nlohmann-json3": "Permission is hereby granted", "libtomlplusplus": "Permission is hereby granted"}
+TERMS = {"libcli11": "Redistribution and use", "nlohmann-json3": "Permission is hereby granted",
+         "libtomlplusplus": "Permission is hereby granted"}
+TERMS_OF_LINUX = {"libc6": "GNU Lesser General Public", "libstdc++": "GCC Runtime Library Exception",
+                  "libyaml-cpp": "Permission is hereby granted"}
+TERMS_OF_WINDOWS = {"mingw-w64-common": "Permission is hereby granted", "gcc-mingw": "GCC Runtime Library Exception"}
+# What each Windows brings.
+LIBRARIES_OF_WINDOWS = {"kernel32.dll", "msvcrt.dll", "ws2_32.dll", "advapi32.dll", "shell32.dll", "user32.dll", "setupapi.dll"}
 
 
 class Unpacked(InAFolder):
@@ -64,7 +69,7 @@ class OfAny:
         self.assertIn("Boost Software License", self.text("LICENSE"))
         named = re.findall(r"^ +(licences/\S+\.txt) +\S+$", said, re.MULTILINE)
         self.assertEqual(set(named), {f"licences/{path.name}" for path in (self.folder / "licences").glob("*.txt")})
-        for part, words in TERMS.items():
+        for part, words in {**TERMS, **self.terms}.items():
             with self.subTest(part):
                 name, = (name for name in named if f"/{part}" in name)
                 self.assertIn(words, " ".join(self.text(name).split()))
@@ -83,6 +88,8 @@ class OfAny:
 
 
 class OfLinux(OfAny):
+    terms = TERMS_OF_LINUX
+
     def test_all_is_in_one_folder_and_nobodys(self):
         self.assertEqual({entry.name.partition("/")[0] for entry in self.entries}, {self.name})
         self.assertEqual({(entry.uid, entry.gid, entry.uname, entry.gname) for entry in self.entries}, {(0, 0, "", "")})
@@ -159,6 +166,24 @@ class LinuxArm64(OfLinux, Unpacked):
     system = "linux-arm64"
     machine = "AArch64"
     runner = ("qemu-aarch64-static",)
+
+
+class Windows64(OfAny, Unpacked):
+    """In Wine."""
+    system = "windows-x86_64"
+    runner = ("sh", PROJECT / "tests/windows/wine.sh")
+    terms = TERMS_OF_WINDOWS
+
+    def unpack(self):
+        with zipfile.ZipFile(RELEASE / f"{self.name}.zip") as packed:
+            self.assertEqual({name.partition("/")[0] for name in packed.namelist()}, {self.name})
+            packed.extractall(self.place)
+        self.program = self.folder / "bin" / "rtuwire.exe"
+
+    def test_the_program_needs_nothing_but_windows(self):
+        needed = re.findall(r"DLL Name: (\S+)", run("objdump", "-p", self.program))
+        self.assertLessEqual({name.lower() for name in needed}, LIBRARIES_OF_WINDOWS)
+        self.assertIn("SYMBOL TABLE:\nno symbols", run("objdump", "-t", self.program))
 
 
 def read_by_name(root, program, host):
