@@ -3,12 +3,12 @@
 #include "line/who_is_it.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "catalog/drive_family.hpp"
 #include "output/plain_text.hpp"
 #include "words/suggestion.hpp"
 
@@ -18,35 +18,6 @@ namespace {
 
 using candidates = std::vector<drive_catalog const*>;
 using rtuwire::errc;
-
-/// "ATV320U07M2B" -> "ATV320".
-std::string_view family_of(std::string_view product)
-{
-    auto const is_digit = [](char each) { return std::isdigit(static_cast<unsigned char>(each)) != 0; };
-    auto const first = std::ranges::find_if(product, is_digit);
-    auto const end = std::find_if_not(first, product.end(), is_digit);
-    return product.substr(0, static_cast<std::size_t>(end - product.begin()));
-}
-
-/// Whether a name has one of the families of drives and starters in it, also of those of which this program has no table:
-/// "ATV71HU22", "Altivar 71".
-bool names_a_drive(std::string const& name)
-{
-    constexpr std::string_view families[]{"altivar", "altistart", "lexium"};
-    constexpr std::string_view codes[]{"atv", "ats", "lxm"};
-    std::string const text = lower(name);
-    for (std::string_view const each : codes) {
-        for (std::size_t at = text.find(each); at != text.npos; at = text.find(each, at + 1)) {
-            std::size_t const next = text.find_first_not_of(" -_", at + each.size());
-            bool const begins_a_word = at == 0 or std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0;
-            bool const is_alone = next == text.npos and each == codes[0];
-            if (begins_a_word and (is_alone or (next != text.npos and is_digit(text[next])))) {
-                return true;
-            }
-        }
-    }
-    return std::ranges::any_of(families, [&text](auto each) { return text.find(each) != text.npos; });
-}
 
 /// Whether it says of itself that it is one.
 bool calls_itself_drive(identity_words const& who)
@@ -71,17 +42,6 @@ std::string* place_of(identity_words& who, std::uint8_t object)
     case rtuwire::major_minor_revision: return &who.revision;
     default: return nullptr;
     }
-}
-
-/// The first register for driving that one drive has, and another has not at all.
-std::optional<std::uint16_t> only_in(drive_catalog const& one, drive_catalog const& other)
-{
-    for (register_entry const& each : one.registers) {
-        if (each.is_for_driving and other.at(each.address) == nullptr) {
-            return each.address;
-        }
-    }
-    return std::nullopt;
 }
 
 errc read_one(open_line& line, unit_address unit, std::uint16_t address)
