@@ -60,14 +60,14 @@ std::string frame_log::list(std::uint32_t from) const
     return out.text();
 }
 
-std::string frame_log::explain(std::uint32_t number) const
+std::string frame_log::explain(std::uint32_t number, tool::register_names const* names) const
 {
     json_text out;
     out.open_object();
     out.open_list("frames");
     if (number >= first_ and number < end()) {
         seen_frame const& frame = frames_[number - first_];
-        tool::frame_decoder decoder{names_};
+        tool::frame_decoder decoder{names};
         decoder.expect_answer_to(frame.request);
         for (auto const& each : decoder.decode(frame.is_unanswered ? frame.request : frame.bytes)) {
             put_frame(out, each);

@@ -33,6 +33,8 @@ struct seen_frame {
 class frame_log {
 public:
     explicit frame_log(tool::register_names const& names) : names_{&names} {}
+    /// Nothing has a name.
+    frame_log() = default;
 
     void add(seen_frame frame);
 
@@ -42,13 +44,23 @@ public:
     /// The frames from a number on that are still kept: a list in JSON.
     [[nodiscard]] std::string list(std::uint32_t from) const;
 
-    /// All fields of a frame, in JSON.
-    [[nodiscard]] std::string explain(std::uint32_t number) const;
+    /// All fields of a frame, in JSON; by other names than those of the log where they are given.
+    [[nodiscard]] std::string explain(std::uint32_t number) const { return explain(number, names_); }
+    [[nodiscard]] std::string explain(std::uint32_t number, tool::register_names const* names) const;
+
+    /// The unit that a frame names; 0 where there is no such frame.
+    [[nodiscard]] std::uint8_t unit_of(std::uint32_t number) const noexcept
+    {
+        bool const is_kept = number >= first_ and number < end();
+        auto const& seen = frames_[is_kept ? number - first_ : 0];
+        auto const& bytes = seen.bytes.empty() ? seen.request : seen.bytes;
+        return is_kept and not bytes.empty() ? std::to_integer<std::uint8_t>(bytes[0]) : std::uint8_t{0};
+    }
 
 private:
     static constexpr std::size_t most = 400;
 
-    tool::register_names const* names_;
+    tool::register_names const* names_{nullptr};
     std::vector<seen_frame> frames_{};
     std::uint32_t first_{0};
 };

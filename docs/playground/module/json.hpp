@@ -27,6 +27,9 @@ public:
         requires(not std::same_as<Number, bool>)
     void put(std::string_view key, Number value) { put_number(key, static_cast<std::int64_t>(value)); }
 
+    /// A text that is JSON already, such as a number with its digits.
+    void put_literal(std::string_view key, std::string_view literal) { put_bare(key, literal); }
+
     [[nodiscard]] std::string const& text() const { return text_; }
 
 private:
