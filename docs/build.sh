@@ -13,9 +13,11 @@ began=$(date +%s)
 sh "$project/tests/packages.sh" docs
 /usr/bin/python3 -B "$here/generate/stage.py" "$project" "$build" /usr/share/doxygen-awesome-css
 doxygen "$build/Doxyfile"
-if [ -f "$here/playground/build.sh" ]; then
-    sh "$here/playground/build.sh" "$build/html/playground"
-fi
+for app in playground line; do
+    if [ -f "$here/$app/build.sh" ]; then
+        sh "$here/$app/build.sh" "$build/html/$app"
+    fi
+done
 /usr/bin/python3 -B "$here/generate/reference.py" "$build/html" "$build/tags.xml"
 /usr/bin/python3 -B "$here/generate/search.py" "$build/html"
 /usr/bin/python3 -B "$here/generate/links.py" "$build/html"

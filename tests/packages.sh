@@ -27,7 +27,7 @@ packages_of() {
         wine) echo wine64 ;;
         style) echo clang-format clang-tidy ;;
         docs) echo doxygen doxygen-awesome-css graphviz g++ clang python3 ;;
-        playground) echo clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 ;;
+        playground) echo python3 clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 ;;
         browser) echo chromium nodejs npm ;;
         npm) echo nodejs npm ;;
         proxies) echo prometheus stunnel4 openssl ;;

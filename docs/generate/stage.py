@@ -20,6 +20,7 @@ import tables
 from pages import BrokenLink, Pages, headings, identifier, lines_with_code
 
 CONTENTS = "docs/README.md"
+APPS = (("playground", "Playground"), ("line", "The line"))
 ENTRY = re.compile(r"^- \[([^\]]+)\]\(([^)]+)\)")
 SCRIPTS = ("darkmode-toggle", "fragment-copy-button", "paragraph-link", "interactive-toc")
 STYLES = ("doxygen-awesome.css", "doxygen-awesome-sidebar-only.css", "doxygen-awesome-sidebar-only-darkmode-toggle.css")
@@ -50,13 +51,13 @@ def tab(kind, url, title, inside=""):
     return f'<tab type="{kind}" visible="yes" url="{url}" title="{words}"{f">{inside}</tab>" if inside else "/>"}\n'
 
 
-def write_layout(build, menu, has_playground):
+def write_layout(build, menu, apps):
     """Doxygen's own layout, with our menu in place of its own."""
     subprocess.run(["doxygen", "-l", "layout.xml"], cwd=build, check=True)
     text = (build / "layout.xml").read_text(encoding="utf-8")
     tabs = tab("mainpage", "", "Overview")
-    if has_playground:
-        tabs += tab("user", "playground/index.html", "Playground")
+    for folder, title in apps:
+        tabs += tab("user", f"{folder}/index.html", title)
     for section, entries in menu:
         inside = "".join(tab("user", to, words) for words, to in entries if to)
         if section == "Reference":
@@ -144,7 +145,7 @@ def main(project, build, theme):
     check_contents(pages, menu)
     headers.stage(project, build / "include")
     write_pages(project, build, pages)
-    write_layout(build, menu, (project / "docs" / "playground" / "build.sh").exists())
+    write_layout(build, menu, [(folder, title) for folder, title in APPS if (project / "docs" / folder / "build.sh").exists()])
     write_frame(build)
     write_settings(project, build, theme)
     print(f"{len(pages.texts)} pages, {len(pages.programs)} programs, {len(made)} parts made from tables and tests; "

@@ -1,0 +1,534 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The page in Chromium, from a file, with a `navigator.serial` of the tests' own, behind which pseudo-terminals are: a simulated
+// drive and a meter, and a server of libmodbus. Everything that a page sends is read by the test, without any of our code.
+//
+//   node page_test.js PAGE PICTURES RTUWIRE LIBMODBUS_SERVER [night]
+"use strict";
+const assert = require("node:assert/strict");
+const { spawn, execFileSync } = require("node:child_process");
+const fs = require("node:fs");
+const os = require("node:os");
+const path = require("node:path");
+const { pathToFileURL } = require("node:url");
+const { chromium } = require("playwright-core");
+const { Adapter, makeBridge, whyNoRead } = require("./bridge.js");
+const { installFakeSerial, fakeText } = require("./fake_serial.js");
+
+const [page_file, shots, tool, libmodbus_server, night] = process.argv.slice(2);
+const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage"];
+const patience = Number(process.env.PATIENCE ?? 120000); // of a busy machine, in ms
+const axe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), "line_page"));
+const children = [];
+const drives = ["atv12", "atv28", "atv310", "atv310_2026", "atv320"];
+const wait = (milliseconds) => new Promise((resolve) => { setTimeout(resolve, milliseconds); });
+
+/// A program that goes on; resolves with the first match in what it says.
+function begin(program, args, pattern) {
+  const child = spawn(program, args, { stdio: ["ignore", "pipe", "pipe"] });
+  children.push(child);
+  return new Promise((resolve, reject) => {
+    let said = "";
+    const take = (text) => { said += text; const found = said.match(pattern); if (found) resolve(found); };
+    child.stdout.on("data", take);
+    child.stderr.on("data", take);
+    child.on("exit", () => reject(new Error(`${program} ended: ${said}`)));
+  });
+}
+
+async function open(browser, bridge, options = {}) {
+  const { inWorker = true, names = ["units"], ...context } = options;
+  const page = await (await browser.newContext({ bypassCSP: true, acceptDownloads: true, ...context })).newPage();
+  page.setDefaultTimeout(patience);
+  page.problems = [];
+  page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
+  page.on("pageerror", (problem) => page.problems.push(String(problem)));
+  page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || page.problems.push(`asks for ${request.url()}`));
+  await page.addInitScript(installFakeSerial, { fake: fakeText, bridge, names, inWorker });
+  await page.goto(pathToFileURL(path.resolve(page_file)).href);
+  await page.waitForSelector("html[data-ready=yes]");
+  return page;
+}
+
+const text = (page, id) => page.textContent("#" + id);
+const told = (page) => page.innerText("#told");
+const isPhase = (page, words) => page.waitForFunction((wanted) => document.getElementById("phase").textContent.includes(wanted), words);
+const isTold = (page, words) => page.waitForFunction((wanted) => document.getElementById("told").innerText.includes(wanted), words);
+const failed = (page, words) => page.waitForFunction((wanted) => document.getElementById("failures").innerText.includes(wanted), words);
+const hasValue = (page, words) => page.waitForFunction((wanted) => document.getElementById("values").innerText.includes(wanted), words);
+const choose = (page, name) => page.evaluate((wanted) => { navigator.serial.choice = { name: wanted }; }, name);
+
+function areReads(adapter) {
+  for (const { bytes } of adapter.sent) assert.equal(whyNoRead(bytes), "", bytes.toString("hex"));
+}
+
+async function connect(page, name, phase = "ready") {
+  await choose(page, name);
+  await page.click("#connect");
+  await isPhase(page, phase);
+}
+
+async function download(page, id) {
+  const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#" + id)]);
+  const place = path.join(folder, saved.suggestedFilename());
+  await saved.saveAs(place);
+  return place;
+}
+
+/// Listens first: of a second in which nobody talks nothing is sent.
+async function listenFirst(page, units) {
+  await connect(page, "units");
+  const { at, setting } = units.opened.at(-1);
+  assert.equal(setting, "19200,8,even,1");
+  assert.equal(units.sent.filter((each) => each.at < at + 950).length, 0);
+  assert.equal(units.sent.length, 0, "and nothing by itself afterwards");
+}
+
+async function scanAll(page, units) {
+  await page.fill("#last", "4");
+  await page.click("#scan");
+  await isTold(page, "Scanned: 2 units are known");
+  const rows = await page.innerText("#units tbody");
+  assert.match(rows, /Schneider Electric ATV320U07M2B; its table is atv320/);
+  assert.match(rows, /2\s+does not say who it is/);
+  areReads(units);
+}
+
+async function readMeter(page) {
+  await page.fill("#unit", "2");
+  await page.selectOption("#device", "sdm630");
+  await page.fill("#points", "voltage_l1, frequency");
+  await page.click("#read");
+  await hasValue(page, "voltage_l1 (unit 2)");
+  assert.match(await page.innerText("#values"), /voltage_l1 \(unit 2\)\s+\d+(\.\d+)? V/);
+  await page.fill("#points", "nonsense");
+  await page.click("#read");
+  await page.waitForFunction(() => document.getElementById("points-flaw").textContent.includes("'nonsense' names nothing here"));
+}
+
+/// Nothing polls a drive before somebody has read what that does.
+async function askForConsent(page, units) {
+  await page.fill("#unit", "1");
+  await page.selectOption("#device", "");
+  await page.fill("#points", "ETA, RFR, LFT");
+  const before = units.sent.length;
+  await page.click("#watch");
+  await page.waitForSelector("#consent:not([hidden])");
+  assert.match(await text(page, "consent-text"), /Unit 1 is a drive.*feeds its time-out.*SLL = 0 it goes on turning/);
+  assert.equal(units.sent.length, before, "not one read");
+  await page.click("#agree");
+  await hasValue(page, "RFR (unit 1)");
+}
+
+async function watchDrive(page, units, seconds) {
+  const from = Date.now();
+  await wait(seconds * 1000);
+  const rounds = units.sent.filter((each) => each.at > from && each.bytes[1] === 3).length / 2; // ETA and RFR are neighbours
+  assert.ok(rounds > seconds * 0.6 && rounds < seconds * 1.4, `${rounds} rounds in ${seconds} s`);
+  assert.match(await page.innerText("#values"), /ETA \(unit 1\)\s+0x[0-9A-F]{4} \(/);
+  // Whoever closes the tab is asked whether he means it.
+  const dialog = page.waitForEvent("dialog");
+  page.close({ runBeforeUnload: true });
+  const asked = await dialog;
+  assert.equal(asked.type(), "beforeunload");
+  await asked.dismiss();
+  await page.click("#stop-watch");
+  await isTold(page, "Unit 1 is not asked any more: after TTO");
+  await page.waitForFunction(() => !document.getElementById("read").disabled);
+}
+
+/// The tool's own backup of the same drive says the same, but for what changes by itself; and the tool reads the page's.
+async function compareBackup(page, own) {
+  const place = await download(page, "backup");
+  const [ours, tools] = [place, own].map((each) => JSON.parse(fs.readFileSync(each, "utf8")));
+  assert.deepEqual(Object.keys(ours), Object.keys(tools));
+  for (const each of ["format", "made by", "unit", "drive", "vendor", "product", "revision", "rating", "rows"]) assert.equal(ours[each], tools[each], each);
+  const shape = ({ parameters }) => parameters.map(({ raw, value, error, ...rest }) => JSON.stringify(rest));
+  assert.deepEqual(shape(ours), shape(tools));
+  const differing = ours.parameters.filter((each, at) => JSON.stringify(each) !== JSON.stringify(tools.parameters[at])).map((each) => each.register);
+  console.log(`backup: ${ours.parameters.length} rows; measured meanwhile: ${differing}`);
+  assert.ok(differing.length < 20);
+  execFileSync(tool, ["compare", place, own], { stdio: "pipe" });
+}
+
+function openCapture(place, frames) {
+  const said = execFileSync("tshark", ["-r", place, "-o", "mbrtu.udp.port:1502", "-o", "mbrtu.crc_verification:TRUE", "-T", "fields", "-e", "frame.protocols", "-e", "modbus.func_code"], { encoding: "utf8" });
+  const lines = said.trim().split("\n");
+  assert.ok(lines.length >= frames, `${lines.length} frames`);
+  assert.ok(lines.every((each) => /mbrtu/.test(each)), lines.find((each) => !/mbrtu/.test(each)));
+}
+
+async function pullAndPlug(page, units) {
+  await page.fill("#unit", "2");
+  await page.selectOption("#device", "sdm630");
+  await page.fill("#points", "frequency");
+  await page.click("#watch");
+  await hasValue(page, "frequency (unit 2)");
+  units.pull();
+  await isPhase(page, "the adapter is gone");
+  assert.match(await told(page), /The adapter is gone: The device has been lost/);
+  const before = units.sent.length;
+  units.plug();
+  await page.evaluate(() => navigator.serial.plug("units"));
+  await isPhase(page, "ready");
+  assert.match(await told(page), /The adapter is back\. It listens first/);
+  assert.equal(units.sent.length, before, "nothing is read until somebody asks");
+  await page.click("#read");
+  await hasValue(page, "frequency (unit 2)");
+}
+
+async function hearEcho(page, units) {
+  units.echoes = true;
+  await page.click("#read");
+  await failed(page, "the request itself came back");
+  assert.match(await page.innerText("#failures"), /The adapter hears itself/);
+  await page.waitForFunction(() => !document.getElementById("read").disabled);
+  const before = await page.innerText("#values-note");
+  await page.click("#read");
+  await page.waitForFunction((then) => document.getElementById("values-note").innerText !== then, before);
+  units.echoes = false;
+}
+
+/// Another client begins: this one ends what it does, and only listens from there on.
+async function meetAnother(page, units) {
+  await page.waitForFunction(() => !document.getElementById("watch").disabled);
+  await page.click("#watch");
+  await hasValue(page, "frequency (unit 2)");
+  const foreign = [0x09, 0x03, 0x00, 0x00, 0x00, 0x01, 0x85, 0x42];
+  assert.equal(whyNoRead(Buffer.from(foreign)), "");
+  await wait(300);
+  units.inject(foreign);
+  await isPhase(page, "others talk");
+  const before = units.sent.length;
+  assert.ok(await page.isDisabled("#scan"));
+  await wait(1500);
+  assert.equal(units.sent.length, before);
+  await page.click("#listen");
+  const timer = setInterval(() => units.inject(foreign), 200);
+  await isPhase(page, "listening");
+  await isPhase(page, "others talk");
+  clearInterval(timer);
+  await page.click("#listen");
+  await isPhase(page, "ready");
+  assert.equal(units.sent.length, before);
+}
+
+/// Of a silent line at another rate the lowest addresses are asked; of one on which others talk nothing is.
+async function findSetting(page, units) {
+  await page.click("#disconnect");
+  await isPhase(page, "not connected");
+  units.setting = "9600,8,even,1";
+  await connect(page, "units");
+  await page.click("#read");
+  await failed(page, "no response in time");
+  await page.waitForFunction(() => !document.getElementById("find").disabled);
+  await page.click("#find");
+  await isTold(page, "Found: 9600 8E1.");
+  assert.equal(await page.inputValue("#baud"), "9600");
+
+  await page.click("#disconnect");
+  await isPhase(page, "not connected");
+  units.setting = "9600,8,none,2";
+  await page.selectOption("#baud", "19200");
+  const before = units.sent.length;
+  const request = [0x09, 0x03, 0x00, 0x00, 0x00, 0x01, 0x85, 0x42];
+  const timer = setInterval(() => units.inject(request), 150);
+  await connect(page, "units", "only listening");
+  await page.click("#find");
+  await isTold(page, "Found: 9600 8N2 (8N2 does for 8N1 as well).");
+  clearInterval(timer);
+  assert.equal(units.sent.length, before, "nothing is sent on a line where others talk");
+  await page.click("#disconnect");
+  await isPhase(page, "not connected");
+  units.setting = "";
+  await page.selectOption("#baud", "19200");
+  await page.selectOption("#format", "8E1");
+}
+
+async function readForeign(browser, bridge, foreign) {
+  const page = await open(browser, bridge, { names: ["foreign"] });
+  await connect(page, "foreign");
+  await page.fill("#unit", "1");
+  await page.selectOption("#device", "");
+  await page.fill("#points", "100-103, 300");
+  await page.click("#read");
+  await hasValue(page, "103 (unit 1)");
+  assert.match(await page.innerText("#values"), /100 \(unit 1\)\s+100\s/);
+  await failed(page, "illegal data address");
+  areReads(foreign);
+  assert.deepEqual(page.problems, []);
+  await page.context().close();
+}
+
+/// A computer that sleeps, or a browser that stops the page's process, asks nothing; the page says so afterwards.
+async function holdUp(browser, page, units) {
+  await connect(page, "units");
+  await page.fill("#unit", "2");
+  await page.selectOption("#device", "sdm630");
+  await page.fill("#points", "frequency");
+  await page.selectOption("#period", "200");
+  await page.click("#watch");
+  await hasValue(page, "frequency (unit 2)");
+  const control = await browser.newBrowserCDPSession();
+  const { processInfo } = await control.send("SystemInfo.getProcessInfo");
+  const renderers = processInfo.filter(({ type }) => type === "renderer").map(({ id }) => id);
+  assert.ok(renderers.length > 0);
+  for (const each of renderers) process.kill(each, "SIGSTOP");
+  await wait(300);
+  const before = units.sent.length;
+  await wait(2500);
+  assert.equal(units.sent.length, before);
+  for (const each of renderers) process.kill(each, "SIGCONT");
+  await isTold(page, "The browser held this page up for");
+  await page.click("#stop-watch");
+}
+
+/// In a hidden tab the worker goes on as before.
+async function hide(browser, page, units, seconds) {
+  await page.waitForFunction(() => !document.getElementById("watch").disabled);
+  await page.click("#watch");
+  const other = await page.context().newPage();
+  await other.bringToFront();
+  const control = await page.context().newCDPSession(page);
+  await control.send("Emulation.setCPUThrottlingRate", { rate: 4 });
+  await control.send("Page.setWebLifecycleState", { state: "frozen" });
+  await wait(1000);
+  const from = Date.now();
+  await wait(seconds * 1000);
+  const rounds = units.sent.filter((each) => each.at > from).length;
+  console.log(`hidden and frozen: ${rounds} rounds in ${seconds} s, of ${seconds * 5}`);
+  assert.ok(rounds > seconds * 2, `${rounds} rounds in ${seconds} s`);
+  await control.send("Page.setWebLifecycleState", { state: "active" });
+  await control.send("Emulation.setCPUThrottlingRate", { rate: 1 });
+  await other.close();
+  await page.bringToFront();
+  await page.click("#stop-watch");
+}
+
+/// Each drive is known as what it is, the one without function 43 by its registers.
+async function tellDrivesApart(browser, bridge) {
+  const page = await open(browser, bridge, { names: ["drives"] });
+  await connect(page, "drives");
+  await page.fill("#first", "11");
+  await page.fill("#last", "15");
+  await page.click("#scan");
+  await isTold(page, "Scanned: 5 units are known");
+  const rows = await page.$$eval("#units tbody tr", (all) => all.map((row) => [row.dataset.unit, row.cells[1].textContent]));
+  const found = rows.map(([unit, who]) => `${unit} ${who.match(/its table is (\w+)/)?.[1]}`);
+  assert.deepEqual(found, drives.map((each, at) => `${11 + at} ${each}`));
+  assert.deepEqual(page.problems, []);
+  await page.context().close();
+}
+
+async function refuse(browser, bridge) {
+  const page = await open(browser, bridge);
+  await page.evaluate(() => { navigator.serial.choice = { name: "" }; });
+  await page.click("#connect");
+  await isTold(page, "No adapter was chosen. Nothing was opened.");
+  await page.evaluate(() => { navigator.serial.choice = { name: "units" }; navigator.serial.getPorts = async () => { throw new DOMException("no", "SecurityError"); }; });
+  await page.click("#connect");
+  await isTold(page, "does not allow serial ports here");
+  assert.deepEqual(page.problems, []);
+  await page.context().close();
+}
+
+/// A worker without ports of its own: the page carries the bytes.
+async function relay(browser, bridge, units) {
+  const page = await open(browser, bridge, { inWorker: false, names: ["foreign", "units"] });
+  await connect(page, "units");
+  await page.fill("#last", "2");
+  await page.click("#scan");
+  await isTold(page, "Scanned: 2 units are known");
+  units.pull();
+  await isPhase(page, "the adapter is gone");
+  units.plug();
+  await page.evaluate(() => navigator.serial.plug("units"));
+  await isPhase(page, "ready");
+  assert.deepEqual(page.problems.filter((each) => !/WebSocket/.test(each)), []);
+  await page.context().close();
+}
+
+/// Whatever is clicked and typed, in whatever order.
+async function clickAnywhere(browser, bridge, units, count) {
+  const page = await open(browser, bridge), before = units.sent.length;
+  await connect(page, "units");
+  page.on("dialog", (dialog) => dialog.accept());
+  let seed = 20240229;
+  const draw = (most) => { seed = (seed * 1103515245 + 12345) % 2147483648; return Math.floor(seed / 2147483648 * most); };
+  const typed = ["*", "ETA", "8501", "CMD, LFR", "input:0:f32", "coil:0-7", "voltage_l1", "0", "1", "2", "247", "999", "-1", "01 06 21 35 00 0F", "holding:8501-8502", "x"];
+  for (let done = 0; done < count;) {
+    const burst = Array.from({ length: 4 }, () => [draw(1e6), draw(typed.length)]);
+    done += await page.evaluate(({ burst, typed }) => {
+      let clicks = 0;
+      for (const [which, what] of burst) {
+        const all = [...document.querySelectorAll("button:not([id=csv]):not([id=capture]), select:not([id=kind]), input, textarea")].filter((each) => !each.disabled && each.offsetParent);
+        const one = all[which % all.length];
+        ++clicks;
+        // What ends what it does is drawn less often: else nothing would begin.
+        if (["disconnect", "listen", "find", "stop", "stop-watch"].includes(one.id) && which % 16 !== 0) continue;
+        if (one.tagName === "BUTTON" || one.type === "checkbox") one.click();
+        else if (one.tagName === "SELECT") one.selectedIndex = which % one.options.length;
+        else one.value = one.classList.contains("short") ? ["1", "2", "2", "3", "247", "x"][what % 6] : typed[what];
+        one.dispatchEvent(new Event("input", { bubbles: true }));
+        one.dispatchEvent(new Event("change", { bubbles: true }));
+      }
+      return clicks;
+    }, { burst, typed });
+    await wait(60);
+    if (done % 20 !== 0) continue;
+    // What is drawn asks for little that there is.
+    await page.evaluate(() => {
+      document.getElementById("unit").value = "2";
+      document.getElementById("points").value = "input:0-3, input:6:f32";
+      document.getElementById("watch").click();
+    });
+  }
+  areReads(units);
+  const left = units.sent.length - before;
+  assert.ok(left > 0);
+  console.log(`${count} random clicks: ${left} frames left, each a read`);
+  assert.deepEqual(page.problems.filter((each) => !/WebSocket/.test(each)), []);
+  await page.context().close();
+}
+
+/// Reads of 36 registers one after the other, beside another client for Web Serial on the same line.
+async function beFast(browser, bridge, units) {
+  const seconds = 10;
+  const page = await open(browser, bridge);
+  await page.selectOption("#baud", "115200");
+  await connect(page, "units");
+  await page.evaluate(() => { document.getElementById("period").options[0].value = "1"; });
+  await page.selectOption("#period", "1");
+  await page.fill("#unit", "2");
+  await page.fill("#points", "input:0-35");
+  await page.click("#watch");
+  await hasValue(page, "input:35 (unit 2)");
+  const from = units.sent.length;
+  await wait(seconds * 1000);
+  const ours = (units.sent.length - from) / seconds;
+  await page.click("#stop-watch");
+  await page.click("#disconnect");
+  await isPhase(page, "not connected");
+
+  const library = fs.readFileSync(path.join(path.dirname(require.resolve("axe-core")), "../modbus-webserial/dist/index.js"), "utf8");
+  await page.addScriptTag({ type: "module", content: `${library}\nwindow.ModbusRTU = ModbusRTU;` });
+  await page.waitForFunction(() => window.ModbusRTU);
+  const theirs = await page.evaluate(async (seconds) => {
+    const client = await window.ModbusRTU.openWebSerial({ baudRate: 115200 });
+    client.setID(2);
+    let count = 0;
+    for (const end = performance.now() + seconds * 1000; performance.now() < end; ++count) await client.readInputRegisters(0, 36);
+    await client.close();
+    return count / seconds;
+  }, seconds);
+  console.log(`${ours.toFixed(1)} requests a second; modbus-webserial ${theirs.toFixed(1)}`);
+  assert.ok(ours > 0.9 * theirs, `${ours} of ${theirs} requests a second`);
+  await page.context().close();
+}
+
+async function checkAxe(page, name) {
+  await page.addScriptTag({ content: axe });
+  const found = await page.evaluate(async () => {
+    const { violations, passes } = await axe.run(document);
+    return { passes: passes.length, violations: violations.map((each) => `${each.id}: ${each.nodes.map((node) => node.target.join(" ")).join(", ")}`) };
+  });
+  assert.deepEqual(found.violations, [], name);
+  console.log(`axe, ${name}: ${found.passes} rules passed, 0 violations`);
+}
+
+/// As it stands in the file: the page's own rules forbid every request, and the simulated units answer.
+async function openAlone(browser) {
+  const page = await (await browser.newContext({ viewport: { width: 390, height: 844 }, colorScheme: "dark", hasTouch: true })).newPage();
+  page.setDefaultTimeout(patience);
+  page.problems = [];
+  page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
+  page.on("pageerror", (problem) => page.problems.push(String(problem)));
+  await page.goto(pathToFileURL(path.resolve(page_file)).href);
+  await page.waitForSelector("html[data-ready=yes]");
+  await page.selectOption("#kind", "simulated");
+  await page.click("#connect");
+  await isPhase(page, "ready");
+  await page.fill("#last", "3");
+  await page.click("#scan");
+  await isTold(page, "Scanned: 2 units are known");
+  await page.fill("#unit", "2");
+  await page.selectOption("#device", "sdm630");
+  await page.fill("#points", "voltage_l1, power_l1, frequency");
+  await page.selectOption("#period", "200");
+  await page.click("#watch");
+  await hasValue(page, "frequency (unit 2)");
+  await wait(1500);
+  const isWide = await page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
+  assert.equal(isWide, false, "the page is wider than a phone");
+  await page.screenshot({ path: path.join(shots, "line-phone.png"), fullPage: true });
+  const refused = await page.evaluate(() => fetch("http://127.0.0.1:9/").then(() => "sent", (problem) => String(problem)));
+  assert.match(refused, /TypeError/);
+  assert.match(page.problems.join("\n"), /Content Security Policy/);
+  page.problems.length = 0;
+  await page.click("#stop-watch");
+  assert.deepEqual(page.problems, []);
+  await page.context().close();
+}
+
+async function main() {
+  fs.mkdirSync(shots, { recursive: true });
+  const [, units_device] = await begin(tool, ["simulate", "atv320:1", path.join(__dirname, "../../tools/devices/sdm630.toml:2")], /(\/dev\/pts\/\d+)/);
+  const backup = path.join(folder, "tool.json");
+  execFileSync(tool, ["-p", units_device, "-b", "19200", "-f", "8E1", "-u", "1", "--no-listen", "backup", "-o", backup], { stdio: "pipe" });
+  const ends = ["near", "far"].map((each) => path.join(folder, each));
+  await begin("socat", ["-d", "-d", ...ends.map((each) => `pty,raw,echo=0,link=${each}`)], /starting data transfer/);
+  await begin(libmodbus_server, [ends[1]], /ready/);
+  const [, drives_device] = await begin(tool, ["simulate", ...drives.map((each, at) => `${each}:${11 + at}`)], /(\/dev\/pts\/\d+)/);
+  const units = new Adapter(units_device, ""), foreign = new Adapter(ends[0], ""), five = new Adapter(drives_device, "");
+  units.lumps = 4;
+  const bridge = await makeBridge({ units, foreign, drives: five });
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags, timeout: patience });
+  const step = async (name, act) => { const from = Date.now(); await act(); console.log(`${name}: ${((Date.now() - from) / 1000).toFixed(1)} s`); };
+  try {
+    const page = await open(browser, bridge.place, { viewport: { width: 1280, height: 900 }, colorScheme: "light" });
+    await step("listens first", () => listenFirst(page, units));
+    await step("scan", () => scanAll(page, units));
+    await step("meter", () => readMeter(page));
+    await step("consent", () => askForConsent(page, units));
+    await step("watch", () => watchDrive(page, units, night ? 60 : 5));
+    await page.screenshot({ path: path.join(shots, "line.png"), fullPage: true });
+    await step("axe", () => checkAxe(page, "light"));
+    const capture = await download(page, "capture");
+    await download(page, "csv");
+    assert.match(fs.readFileSync(path.join(folder, "values.csv"), "utf8"), /^time,unit,name,number,value,measure\r\n.*\r\n/);
+    openCapture(capture, units.sent.length);
+    await step("backup", () => compareBackup(page, backup));
+    await step("pulled", () => pullAndPlug(page, units));
+    await step("echo", () => hearEcho(page, units));
+    await step("others", () => meetAnother(page, units));
+    await step("setting", () => findSetting(page, units));
+    await step("libmodbus", () => readForeign(browser, bridge.place, foreign));
+    await step("held up", () => holdUp(browser, page, units));
+    await step("hidden", () => hide(browser, page, units, night ? 420 : 4));
+    areReads(units);
+    assert.deepEqual(page.problems.filter((each) => !/WebSocket/.test(each)), []);
+    await page.context().close();
+    await step("five drives", () => tellDrivesApart(browser, bridge.place));
+    await step("refused", () => refuse(browser, bridge.place));
+    await step("relayed", () => relay(browser, bridge.place, units));
+    await step("alone", () => openAlone(browser));
+    if (night) await step("speed", () => beFast(browser, bridge.place, units));
+    await step("clicks", () => clickAnywhere(browser, bridge.place, units, night ? 10000 : 500));
+  } finally {
+    await browser.close();
+    bridge.close();
+    for (const each of [units, foreign, five]) each.close();
+    for (const each of children) each.kill();
+    fs.rmSync(folder, { recursive: true });
+  }
+  console.log("the page listens, scans, identifies, reads, watches and saves; what it sent were reads");
+  process.exit(0);
+}
+
+main().catch((problem) => {
+  console.error(problem);
+  for (const each of children) each.kill();
+  process.exit(1);
+});
