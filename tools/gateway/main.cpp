@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // rtuwire-gateway: the values of devices on Modbus lines, to an MQTT broker. docs/tool.md is its page.
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <utility>
 
@@ -33,6 +35,19 @@ exit_status run(gateway_choices const& chosen, bool only_checks)
     return exit_status::done;
 }
 
+int status_of_run(gateway_choices const& chosen, bool only_checks)
+{
+    try {
+        return static_cast<int>(run(chosen, only_checks));
+    } catch (ended const& why) {
+        tell_failure(why.what());
+        return static_cast<int>(why.status);
+    } catch (std::exception const& why) {
+        tell_failure(why.what());
+        return static_cast<int>(exit_status::port);
+    }
+}
+
 std::string version_text()
 {
     constexpr unsigned number = RTUWIRE_VERSION;
@@ -61,13 +76,10 @@ int main(int argc, char** argv)
     } catch (CLI::ParseError const& why) {
         return app.exit(why) == 0 ? 0 : static_cast<int>(exit_status::usage);
     }
-    try {
-        return static_cast<int>(run(chosen, only_checks));
-    } catch (ended const& why) {
-        tell_failure(why.what());
-        return static_cast<int>(why.status);
-    } catch (std::exception const& why) {
-        tell_failure(why.what());
-        return static_cast<int>(exit_status::port);
+    int const status = status_of_run(chosen, only_checks);
+    if (is_a_connection_left()) {
+        std::fflush(nullptr);
+        std::_Exit(status);
     }
+    return status;
 }

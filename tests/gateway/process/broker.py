@@ -4,6 +4,7 @@
 again by itself.
 
     python3 broker.py GATEWAY TOOL killed|frozen|slow|half_open|tls|packets|bytes [NUMBER]
+    python3 broker.py GATEWAY TOOL name HANGING_LOOKUP
 
 NUMBER: seconds that the broker is frozen; of packets and bytes, each how many-th cut is made.
 """
@@ -286,9 +287,28 @@ def tls(check, program, _):
                 check(ended.returncode == 2 and "no.pem" in ended.stderr, "an authority that is not there is refused", ended)
 
 
+def name(check, program, _, hanging):
+    """The broker has a name, and its name server says nothing: all else goes on."""
+    with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        near = text_of(broker.port, [a_line(line.name)])
+        far = near.replace('"127.0.0.1"', '"hangs.example"')
+        with Gateway(program, folder, far, start=False) as gateway:
+            gateway.environment["LD_PRELOAD"] = hanging
+            gateway.environment["ASAN_OPTIONS"] = gateway.environment.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0"
+            gateway.start()
+            check(soon(lambda: "its port is open" in gateway.said(), LIMIT), "its line is asked, and that is told")
+            check(soon(lambda: "its name is not found in time" in gateway.said(), LIMIT), "so is the name that nobody finds")
+            gateway.reload(near)
+            check(flows(client), "another broker is taken by a reload")
+            gateway.reload(far)
+            check(soon(lambda: gateway.said().count("read again") == 2, LIMIT), "back to the name")
+            check(soon(lambda: client.last(f"{SITE}/status") == "offline", LIMIT), "the broker before is told")
+            check(gateway.end() == 0, "and it ends while nobody finds the name")
+
+
 def main(check, program, tool, part, *more):
     {"killed": killed, "frozen": frozen, "slow": slow, "half_open": half_open, "tls": tls, "packets": packets,
-     "bytes": bytes_}[part](check, program, tool, *more)
+     "bytes": bytes_, "name": name}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

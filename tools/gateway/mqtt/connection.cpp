@@ -3,8 +3,11 @@
 #include "mqtt/connection.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include <mosquitto.h>
@@ -13,6 +16,8 @@
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
+#include "../../support/platform.hpp"
+
 namespace tool::gateway {
 
 namespace {
@@ -20,6 +25,8 @@ namespace {
 constexpr std::size_t most_messages = 256; ///< that came and were not taken
 constexpr int most_bytes = 65'536;         ///< on their way, before another message is given
 constexpr int most_bytes_of_values = 8'192;
+
+std::atomic<int> threads_left{0}; ///< that begin a connection
 
 char const* path_or_null(std::string const& path) { return path.empty() ? nullptr : path.c_str(); }
 
@@ -39,12 +46,72 @@ int bytes_on_their_way(int socket)
     return ::ioctl(socket, TIOCOUTQ, &count) == 0 ? count : 0;
 }
 
+std::string failure_of(int code, std::string const& library_error)
+{
+    std::string const error = error_of(code);
+    return library_error.empty() ? error : error + " (" + library_error + ')';
+}
+
 } // namespace
 
-mqtt_library::mqtt_library() { mosquitto_lib_init(); }
-mqtt_library::~mqtt_library() { mosquitto_lib_cleanup(); }
+bool is_a_connection_left() { return threads_left != 0; }
 
-connection::connection(connection_choices const& chosen)
+mqtt_library::mqtt_library() { mosquitto_lib_init(); }
+
+mqtt_library::~mqtt_library()
+{
+    if (not is_a_connection_left()) {
+        mosquitto_lib_cleanup();
+    }
+}
+
+/// The library's call that connects, in a thread of its own.
+class connection::beginning {
+public:
+    /// May throw `std::system_error`.
+    static std::shared_ptr<beginning> start(std::shared_ptr<mosquitto> client, broker_choices const& broker,
+                                            std::function<void()> on_news)
+    {
+        auto begun = std::make_shared<beginning>();
+        without_signals const kept;
+        std::thread{[begun, client = std::move(client), host = broker.host, port = static_cast<int>(broker.port),
+                     on_news = std::move(on_news)]() mutable {
+            begun->connect(client.get(), host, port);
+            on_news();
+            client.reset(); // the last use of the library
+            --threads_left;
+        }}.detach();
+        ++threads_left;
+        return begun;
+    }
+
+    bool is_over() const { return is_over_; }
+    /// Why it failed; empty where the connection is on its way. Once it is over.
+    std::string const& failure() const { return failure_; }
+
+private:
+    void connect(mosquitto* client, std::string const& host, int port)
+    {
+        mosquitto_user_data_set(client, this);
+        mosquitto_log_callback_set(client, [](mosquitto*, void* self, int level, char const* text) {
+            if (level == MOSQ_LOG_ERR) {
+                static_cast<beginning*>(self)->library_error_ = text;
+            }
+        });
+        int const code = mosquitto_connect_async(client, host.c_str(), port, keep_alive);
+        if (code != MOSQ_ERR_CONN_PENDING and code != MOSQ_ERR_SUCCESS) {
+            failure_ = failure_of(code, library_error_);
+        }
+        mosquitto_log_callback_set(client, nullptr);
+        is_over_ = true;
+    }
+
+    std::string failure_{};
+    std::string library_error_{};
+    std::atomic<bool> is_over_{false};
+};
+
+connection::connection(connection_choices const& chosen, std::function<void()> on_news)
     : client_{mosquitto_new(chosen.client.c_str(), true, this), &mosquitto_destroy},
       subscribed_{chosen.subscribed}, probed_{chosen.status + "/nobody"}, began_{std::chrono::steady_clock::now()},
       has_tls_{not chosen.broker.ca_file.empty()}, is_old_{chosen.is_old}
@@ -53,28 +120,27 @@ connection::connection(connection_choices const& chosen)
         end("no memory for a client");
         return;
     }
-    begin(chosen);
+    try {
+        if (prepare(chosen)) {
+            beginning_ = beginning::start(client_, chosen.broker, std::move(on_news));
+        }
+    } catch (std::system_error const& why) {
+        end(std::string{"no thread: "} + why.what());
+    }
 }
 
 connection::~connection()
 {
-    // No call back into what ends.
-    if (client_) {
+    // No call back into what ends; while it begins there is none.
+    if (client_ and not beginning_) {
         mosquitto_disconnect_callback_set(client_.get(), nullptr);
         mosquitto_log_callback_set(client_.get(), nullptr);
     }
 }
 
-void connection::begin(connection_choices const& chosen)
+bool connection::prepare(connection_choices const& chosen)
 {
     mosquitto* const client = client_.get();
-    mosquitto_connect_callback_set(client, &connection::on_connect);
-    mosquitto_disconnect_callback_set(client, &connection::on_disconnect);
-    mosquitto_subscribe_callback_set(client, &connection::on_subscribe);
-    mosquitto_message_callback_set(client, &connection::on_message);
-    mosquitto_publish_callback_set(client, &connection::on_publish);
-    mosquitto_unsubscribe_callback_set(client, &connection::on_unsubscribe);
-    mosquitto_log_callback_set(client, &connection::on_log);
     check(mosquitto_int_option(client, MOSQ_OPT_PROTOCOL_VERSION, is_old_ ? MQTT_PROTOCOL_V311 : MQTT_PROTOCOL_V5),
           "the protocol: ");
     constexpr std::string_view will = "offline";
@@ -90,13 +156,42 @@ void connection::begin(connection_choices const& chosen)
               "TLS: ");
     }
     check(mosquitto_int_option(client, MOSQ_OPT_TCP_NODELAY, 1), "the socket: ");
-    if (has_ended_) {
-        return;
+    return not has_ended_;
+}
+
+void connection::listen_to_library()
+{
+    mosquitto* const client = client_.get();
+    mosquitto_user_data_set(client, this);
+    mosquitto_connect_callback_set(client, &connection::on_connect);
+    mosquitto_disconnect_callback_set(client, &connection::on_disconnect);
+    mosquitto_subscribe_callback_set(client, &connection::on_subscribe);
+    mosquitto_message_callback_set(client, &connection::on_message);
+    mosquitto_publish_callback_set(client, &connection::on_publish);
+    mosquitto_unsubscribe_callback_set(client, &connection::on_unsubscribe);
+    mosquitto_log_callback_set(client, &connection::on_log);
+}
+
+bool connection::has_begun()
+{
+    if (not beginning_) {
+        return true;
     }
-    int const code = mosquitto_connect_async(client, broker.host.c_str(), static_cast<int>(broker.port), keep_alive);
-    if (code != MOSQ_ERR_CONN_PENDING) {
-        check(code);
+    if (not beginning_->is_over()) {
+        return false;
     }
+    std::string const failure = std::exchange(beginning_, nullptr)->failure();
+    began_ = std::chrono::steady_clock::now();
+    listen_to_library();
+    if (not failure.empty()) {
+        end(failure);
+    }
+    return not has_ended_;
+}
+
+bool connection::is_name_late() const
+{
+    return beginning_ and not has_ended_ and std::chrono::steady_clock::now() - began_ > longest_beginning;
 }
 
 bool connection::may_publish() const
@@ -108,7 +203,7 @@ bool connection::may_publish() const
 
 bool connection::is_idle() const { return bytes_on_their_way(descriptor()) < most_bytes_of_values; }
 
-int connection::descriptor() const { return client_ ? mosquitto_socket(client_.get()) : -1; }
+int connection::descriptor() const { return client_ and not beginning_ ? mosquitto_socket(client_.get()) : -1; }
 
 bool connection::waits_for_writing() const { return not is_reached_ or mosquitto_want_write(client_.get()); }
 
@@ -126,7 +221,7 @@ bool connection::is_reached()
 
 void connection::work(short revents)
 {
-    if (has_ended_) {
+    if (has_ended_ or not has_begun()) {
         return;
     }
     if (not is_reached_ and (revents & (POLLOUT | POLLERR | POLLHUP)) != 0) {
@@ -193,7 +288,7 @@ std::vector<std::string> connection::take_arrived() { return std::exchange(arriv
 void connection::close()
 {
     is_closing_ = true;
-    if (not has_ended_) {
+    if (not has_ended_ and not beginning_) {
         check(mosquitto_disconnect(client_.get()), "disconnect: ");
     }
 }
@@ -201,8 +296,7 @@ void connection::close()
 void connection::check(int code, std::string const& what)
 {
     if (code != MOSQ_ERR_SUCCESS) {
-        std::string const error = error_of(code);
-        end(what + (library_error_.empty() ? error : error + " (" + library_error_ + ')'));
+        end(what + failure_of(code, library_error_));
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -48,8 +49,10 @@ public:
     /// From its beginning until the broker says that it is one.
     static constexpr std::chrono::seconds longest_beginning{10};
 
-    /// Begins; where that fails it has ended.
-    explicit connection(connection_choices const& chosen);
+    /// Begins; where that fails it has ended. The library looks the host's name up itself, as long as a name server takes: that is
+    /// done in a thread, which is left behind where this goes before; `on_news` is called from there once it is over, and may
+    /// neither block nor throw.
+    connection(connection_choices const& chosen, std::function<void()> on_news);
     connection(connection const&) = delete;
     connection& operator=(connection const&) = delete;
     ~connection();
@@ -59,6 +62,8 @@ public:
     [[nodiscard]] std::string const& why_ended() const { return why_; }
     /// Whether the broker has accepted it.
     [[nodiscard]] bool is_open() const { return is_accepted_ and not has_ended_; }
+    /// Whether the host's name is looked up for longer than a beginning should take; it goes on.
+    [[nodiscard]] bool is_name_late() const;
     /// Whether all that was subscribed is.
     [[nodiscard]] bool is_subscribed() const { return is_open() and subscribing_ == 0; }
     /// Whether the broker has refused a part of that: who it is may not.
@@ -96,7 +101,12 @@ private:
     static void on_unsubscribe(mosquitto* of, void* self, int id);
     static void on_log(mosquitto* of, void* self, int level, char const* text);
 
-    void begin(connection_choices const& chosen);
+    class beginning;
+
+    bool prepare(connection_choices const& chosen);
+    void listen_to_library();
+    /// Whether the library has a socket, or has failed to get one; then this has ended.
+    bool has_begun();
     void subscribe();
     /// Has the broker respond, by taking back what was never subscribed.
     void probe();
@@ -106,7 +116,8 @@ private:
     /// Whether the socket is connected; ends where that failed.
     bool is_reached();
 
-    std::unique_ptr<mosquitto, void (*)(mosquitto*)> client_;
+    std::shared_ptr<mosquitto> client_;      ///< of the thread that begins, too; it alone uses it until then
+    std::shared_ptr<beginning> beginning_{}; ///< null once that is over
     std::vector<std::string> subscribed_;
     std::string probed_; ///< a topic that nobody has
     std::chrono::steady_clock::time_point began_;
@@ -129,7 +140,11 @@ private:
     std::vector<std::string> arrived_{};
 };
 
-/// The library's own start and end.
+/// Whether a thread is left behind that begins a connection: what it uses has to stay until the program is gone, which no
+/// `exit` waits for.
+[[nodiscard]] bool is_a_connection_left();
+
+/// The library's own start, and its end where nothing is left that uses it.
 class mqtt_library {
 public:
     mqtt_library();

@@ -78,7 +78,7 @@ gateway_plan checked_plan(std::string const& file)
 mqtt_gateway::mqtt_gateway(gateway_choices const& chosen, gateway_plan plan)
     : chosen_{chosen}, log_{chosen.has_json}, plan_{std::move(plan)}, stored_{plan_.state_folder, owner_of(chosen.file),
                                                                               unix_now(), clock::now()},
-      lines_{chosen.may_write, stored_, [this] { news_.ring(); }}, record_{plan_.state_folder, owner_of(chosen.file)},
+      lines_{chosen.may_write, stored_, [this] { news_->ring(); }}, record_{plan_.state_folder, owner_of(chosen.file)},
       publisher_{chosen.may_write, record_.topics()}, pauses_{plan_.site + '/' + plan_.gateway}
 {
     take_plan(std::move(plan_));
@@ -115,7 +115,7 @@ std::vector<line_feed> mqtt_gateway::feeds() const
 
 void mqtt_gateway::run()
 {
-    take_gateway_signals(news_);
+    take_gateway_signals(*news_);
     while (shall_end == 0) {
         if (shall_reload != 0) {
             shall_reload = 0;
@@ -169,7 +169,7 @@ void mqtt_gateway::connect()
     if (not plan_.broker.discovery.empty()) {
         chosen.subscribed.push_back(birth_topic(plan_));
     }
-    connection_ = std::make_unique<connection>(chosen);
+    connection_ = std::make_unique<connection>(chosen, [news = news_] { news->ring(); });
 }
 
 void mqtt_gateway::look_at_lines()
@@ -202,13 +202,13 @@ void mqtt_gateway::wait(std::chrono::milliseconds longest)
         longest = std::min(longest, std::chrono::ceil<std::chrono::milliseconds>(next_try_ - now));
     }
     bool const has_socket = connection_ and connection_->descriptor() >= 0;
-    std::array<pollfd, 2> watched{pollfd{news_.descriptor(), POLLIN, 0}, pollfd{-1, POLLIN, 0}};
+    std::array<pollfd, 2> watched{pollfd{news_->descriptor(), POLLIN, 0}, pollfd{-1, POLLIN, 0}};
     if (has_socket) {
         watched[1].fd = connection_->descriptor();
         watched[1].events = static_cast<short>(POLLIN | (connection_->waits_for_writing() ? POLLOUT : 0));
     }
     if (::poll(watched.data(), watched.size(), static_cast<int>(longest.count())) > 0 and watched[0].revents != 0) {
-        news_.hear();
+        news_->hear();
     }
     if (connection_) {
         connection_->work(has_socket ? watched[1].revents : short{0});
@@ -235,6 +235,8 @@ void mqtt_gateway::look_at_connection()
     }
     if (connection_->has_ended()) {
         lose_connection();
+    } else if (connection_->is_name_late()) {
+        tell_away("its name is not found in time");
     }
 }
 
@@ -266,13 +268,18 @@ void mqtt_gateway::lose_connection()
     connection_.reset();
     publisher_.disconnected();
     next_try_ = now + pauses_.next();
+    tell_away(why);
+    is_connected_ = false;
+}
+
+void mqtt_gateway::tell_away(std::string const& why)
+{
     if (is_connected_ or why != told_) {
         tell(is_connected_ ? "broker_lost" : "broker_away",
              broker_name() + (is_connected_ ? ": lost: " : ": not connected: ") + why +
                  "; it is tried again, and only the newest values wait");
         told_ = why;
     }
-    is_connected_ = false;
 }
 
 void mqtt_gateway::take(arrived_message const& message)

@@ -57,6 +57,7 @@ private:
     /// Says that everything is offline, and ends the connection.
     void finish_connection();
     void lose_connection();
+    void tell_away(std::string const& why);
     void keep_record();
     void tell_damage();
     void tell(std::string name, std::string text) const;
@@ -64,7 +65,7 @@ private:
 
     gateway_choices chosen_;
     gateway_log log_;
-    wake_up news_{};
+    std::shared_ptr<wake_up> news_{std::make_shared<wake_up>()}; ///< a thread that is left behind rings it, too
     mqtt_library library_{};
     gateway_plan plan_;
     std::string password_{};
