@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""A broker that knows MQTT 3.1.1 alone, played here: the gateway finds its protocol, and stays with it.
+"""A broker that knows MQTT 3.1.1 alone, played here: the gateway finds its protocol, and stays with it; or it is told which.
 
     python3 old_broker.py GATEWAY
 """
@@ -36,6 +36,7 @@ gateway = "g1"
 state_folder = "state"
 [broker]
 port = {port}
+{more}
 [[line]]
 name = "line1"
 port = "sim:oven.toml:3"
@@ -120,7 +121,7 @@ def main(check, program):
         listener.settimeout(LIMIT)
         place = pathlib.Path(folder)
         (place / "oven.toml").write_text(DEVICE)
-        (place / "gateway.toml").write_text(FILE.format(port=listener.getsockname()[1]))
+        (place / "gateway.toml").write_text(FILE.format(port=listener.getsockname()[1], more=""))
         with subprocess.Popen([os.path.abspath(program), "gateway.toml", "--write"], cwd=place, stdin=subprocess.DEVNULL,
                               stderr=subprocess.PIPE, text=True) as gateway:
             try:
@@ -149,6 +150,23 @@ def main(check, program):
             finally:
                 gateway.kill()
                 print(gateway.stderr.read())
+        told_which(check, program, listener, place)
+
+
+def told_which(check, program, listener, place):
+    """With protocol = "3.1.1" nothing of MQTT 5 is read: neither properties, nor those that are none."""
+    (place / "gateway.toml").write_text(FILE.format(port=listener.getsockname()[1], more='protocol = "3.1.1"'))
+    with subprocess.Popen([os.path.abspath(program), "gateway.toml"], cwd=place, stdin=subprocess.DEVNULL) as gateway:
+        try:
+            old = Connection(listener)
+            check(old.level == 4, "it begins by 3.1.1", old.level)
+            old.say(b"\x20\x02\x00\x00", bytes.fromhex("300600016102 7f00"))
+            check(old.serve(lambda all_: len(all_.get(f"{ROOT}/line1/oven/state", [])) > 3), "values come behind that")
+            gateway.send_signal(signal.SIGTERM)
+            check(not old.serve(lambda _: False), "it says that it ends")
+            check(gateway.wait(LIMIT) == 0, "with status 0")
+        finally:
+            gateway.kill()
 
 
 if __name__ == "__main__":

@@ -242,6 +242,7 @@ TEST_CASE("what is wrong in the file is refused with its place")
         {"host = \"127.0.0.1\"", "port = 65536", "gateway.toml:4:8: port is a whole number from 1 to 65535"},
         {"host = \"127.0.0.1\"", "password_file = \"p\"", "gateway.toml:4:17: a password goes with a user"},
         {"host = \"127.0.0.1\"", "cert_file = \"p\"", "gateway.toml:3:1: cert_file and key_file go together"},
+        {"discovery = \"\"", "protocol = \"4\"", "gateway.toml:5:12: protocol is that of MQTT, \"5\" or \"3.1.1\""},
         {"discovery = \"\"", "discovery = \"a/+\"", "gateway.toml:5:13: discovery is the prefix"},
         {"name = \"line1\"", "name = \"status\"", "gateway.toml:7:8: 'status' is a topic of the gateway itself"},
         {"port = \"sim:atv320:7\"\n", "", "gateway.toml:6:1: port is missing"},

@@ -295,8 +295,9 @@ private:
         if (broker == nullptr) {
             return;
         }
-        check_keys(file(), *broker,
-                   {"host", "port", "user", "password_file", "ca_file", "cert_file", "key_file", "discovery"});
+        check_keys(
+            file(), *broker,
+            {"host", "port", "user", "password_file", "ca_file", "cert_file", "key_file", "discovery", "protocol"});
         broker_choices& to = plan_.broker;
         to.host = plain_in(*broker, "host").value_or(to.host);
         if (not is_host(to.host)) {
@@ -318,6 +319,11 @@ private:
         if (to.ca_file.empty() and not to.cert_file.empty()) {
             refuse(place_of(*broker, "cert_file"), "a certificate goes with TLS: say ca_file = \"...\"");
         }
+        std::string const protocol = text_in(*broker, "protocol").value_or("5");
+        if (protocol != "5" and protocol != "3.1.1") {
+            refuse(place_of(*broker, "protocol"), "protocol is that of MQTT, \"5\" or \"3.1.1\"");
+        }
+        to.is_old = protocol == "3.1.1";
         if (looks_at_files_) {
             look_at_files(*broker);
         }

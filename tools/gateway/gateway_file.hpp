@@ -31,6 +31,7 @@ struct broker_choices {
     std::string cert_file{};     ///< with its key, or neither
     std::string key_file{};
     std::string discovery{"homeassistant"}; ///< the prefix; empty: none
+    bool is_old{false};                     ///< it is spoken to by MQTT 3.1.1 alone
 };
 
 /// What a value is for programs.

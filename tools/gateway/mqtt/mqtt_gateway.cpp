@@ -58,7 +58,7 @@ bool is_same_broker(gateway_plan const& one, gateway_plan const& other)
     auto const all = [](gateway_plan const& plan) {
         broker_choices const& broker = plan.broker;
         return std::tie(plan.site, plan.gateway, broker.host, broker.port, broker.user, broker.password_file,
-                        broker.ca_file, broker.cert_file, broker.key_file, broker.discovery);
+                        broker.ca_file, broker.cert_file, broker.key_file, broker.discovery, broker.is_old);
     };
     return all(one) == all(other);
 }
@@ -165,7 +165,7 @@ void mqtt_gateway::connect()
                               .client = "rtuwire-" + plan_.site + '-' + plan_.gateway,
                               .status = names.status(),
                               .subscribed = {names.all_settings()},
-                              .is_old = is_old_broker_};
+                              .is_old = is_old_broker_ or plan_.broker.is_old};
     if (not plan_.broker.discovery.empty()) {
         chosen.subscribed.push_back(birth_topic(plan_));
     }
