@@ -7,7 +7,7 @@
 set -eu
 CDPATH='' cd "$(dirname "$0")/.."
 seconds=${1:-60}
-sh tests/packages.sh build clang afl
+sh tests/packages.sh build tool clang afl
 cmake --preset fuzz -B build/afl -DCMAKE_CXX_COMPILER=afl-clang-fast++
 cmake --build build/afl
 
