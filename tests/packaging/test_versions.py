@@ -15,6 +15,7 @@ CHANGES = {
     "packaging/meson/meson.build": ("@VERSION@", version()),
     "README.md": (f"rtuwire-{version()}-linux", "rtuwire-9.9.9-linux"),
     "docs/packaging.md": (f"/rtuwire-{version()}.tar.gz", "/rtuwire-9.9.9.tar.gz"),
+    "docs/start/tool.md": (f"rtuwire-{version()}-linux", "rtuwire-9.9.9-linux"),
     "packaging/debian/tests/headers": (f"find_package(rtuwire {version().rpartition('.')[0]} ", "find_package(rtuwire 9.9 "),
     "tests/consumer/find_package/CMakeLists.txt": ("find_package(rtuwire 0", "find_package(rtuwire 9"),
     "tests/packaging/consumer/meson/meson.build": ("version: '>=", "version: '>=9"),

@@ -19,7 +19,7 @@ FILLED = ("packaging/conan/conandata.yml", "packaging/conan/config.yml", "packag
           "packaging/pkg-config/rtuwire.pc.in", "packaging/arduino/library.properties")
 
 # What shows how the version is named, or asks for it: each of these does, whole or by its first two numbers.
-SHOWN = ("README.md", "docs/packaging.md", "packaging/debian/tests/headers", "tests/consumer/find_package/CMakeLists.txt",
+SHOWN = ("README.md", "docs/packaging.md", "docs/start/tool.md", "packaging/debian/tests/headers", "tests/consumer/find_package/CMakeLists.txt",
          "tests/packaging/consumer/meson/meson.build")
 AS_SHOWN = re.compile(r"\brtuwire[-/](\d+\.\d+\.\d+)|--version (\d+\.\d+\.\d+)|`(\d+\.\d+\.\d+)` is the version|`v(\d+\.\d+\.\d+)`"
                       r"|find_package\(rtuwire (\d+\.\d+) REQUIRED|'rtuwire', version: '>=(\d+\.\d+)'")
