@@ -15,8 +15,8 @@
 
 using namespace rtuwire;
 
-std::uint16_t value = 0;   // of the register: show it
-errc trouble = errc::none; // why there is none
+std::uint16_t value = 0;   // of the register: show it where trouble is errc::none
+errc trouble = errc::busy; // why there is no value, in words name(trouble); busy until the first answer or time-out
 
 namespace {
 

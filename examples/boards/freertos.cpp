@@ -17,8 +17,8 @@ extern "C" ARM_DRIVER_USART Driver_USART1;
 extern "C" std::uint32_t microseconds_gone();
 extern "C" void enable_driver(bool is_on);
 
-std::uint16_t value = 0;   // of the register: show it
-errc trouble = errc::none; // why there is none
+std::uint16_t value = 0;   // of the register: show it where trouble is errc::none
+errc trouble = errc::busy; // why there is no value, in words name(trouble); busy until the first answer or time-out
 
 namespace {
 

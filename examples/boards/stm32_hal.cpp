@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // STM32 with ST's HAL in a project of CubeMX: a client on USART1, PA8 enables the driver, TIM2 counts microseconds. main.c calls
-// `run_modbus` behind its MX_..._Init(). docs/boards.md has the settings.
+// `run_modbus`, which never returns, behind its MX_..._Init(). docs/boards.md has the settings.
 #include "main.h" // CubeMX's, with the HAL of your family
 
 #include <cstddef>
@@ -14,8 +14,8 @@ using namespace rtuwire;
 extern "C" UART_HandleTypeDef huart1;
 extern "C" TIM_HandleTypeDef htim2;
 
-std::uint16_t value = 0;   // of the register: show it
-errc trouble = errc::none; // why there is none
+std::uint16_t value = 0;   // of the register: show it where trouble is errc::none
+errc trouble = errc::busy; // why there is no value, in words name(trouble); busy until the first answer or time-out
 
 namespace {
 
@@ -61,6 +61,7 @@ void rest()
 
 } // namespace
 
+// A project that has one of these three already calls ours from its own, by another name.
 extern "C" void HAL_UART_RxCpltCallback(UART_HandleTypeDef* uart)
 {
     if (uart == &huart1) {

@@ -26,6 +26,7 @@ template <typename Act> void until(wire::time length, Act act)
 /// The program reads; bytes are lost and damaged in each way, and the unit is silent for a while.
 template <typename Board> void program_polls(std::uint16_t const& value, rtuwire::errc const& trouble)
 {
+    check(trouble != rtuwire::errc::none, "no value is shown as good before the first response");
     device unit;
     unit.attach();
     bool is_wrong = false, is_told = false, comes_back = false;
