@@ -727,6 +727,14 @@ def shows_what_runs_a_motor(program, check):
         check(sum(each.get("role") == "request" for each in kept) == shown, "--trace keeps as many", (len(kept), replayed[-500:]))
 
 
+def shows_its_current(program, check):
+    """12 steps of 0.1 A are 1.2 A, and not the nearest product of doubles."""
+    with Motor(program) as motor:
+        _, out, _ = end(motor.tool(program, "--csv", "--allow-run", "start", "--frequency", "25Hz", "--for", "1.5s"))
+        shown = [row.split(",")[2:4] for row in out.splitlines()]
+        check(["25", "1.2"] in shown, "a current has the digits of its steps", out)
+
+
 def resets_and_misses(program, check):
     with Motor(program) as motor, tempfile.TemporaryDirectory() as folder:
         motor.suffer("fault")
@@ -751,7 +759,8 @@ def resets_and_misses(program, check):
 def orders(program, check):
     for each in (refused, asked, not_asked, answered, left_for_the_shell, keeps_its_sign, as_another_drive, typed, stops,
                  stops_slowly, by_a_wrong_name, stops_beside_a_broken_file, stops_behind_a_full_pipe,
-                 ends_behind_a_full_pipe, stops_without_a_trace, shows_what_runs_a_motor, resets_and_misses):
+                 ends_behind_a_full_pipe, stops_without_a_trace, shows_what_runs_a_motor, shows_its_current,
+                 resets_and_misses):
         each(program, check)
 
 

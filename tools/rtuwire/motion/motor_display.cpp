@@ -23,11 +23,11 @@ std::unique_ptr<form> form_for(output_form how)
     return make_table(true);
 }
 
-double amperes_a_step(drive_catalog const& drive)
+/// LCR, where its steps are known.
+register_entry const* current_of(drive_catalog const& drive)
 {
     register_entry const* const current = drive.by_code("LCR");
-    bool const is_known = current != nullptr and current->steps_set_by.empty();
-    return is_known ? static_cast<double>(current->step.numerator) / static_cast<double>(current->step.denominator) : 0;
+    return current != nullptr and current->steps_set_by.empty() ? current : nullptr;
 }
 
 constexpr std::size_t longest_state = 22;
@@ -36,7 +36,7 @@ constexpr std::size_t longest_state = 22;
 
 motor_display::motor_display(output_form how, drive_catalog const& drive)
     : form_{form_for(how)}, is_table_{how == output_form::table}, is_line_{is_table_ and is_terminal(STDOUT_FILENO)},
-      amperes_a_step_{amperes_a_step(drive)}
+      current_{current_of(drive)}
 {}
 
 void motor_display::show(motor_sight const& seen)
@@ -69,7 +69,6 @@ std::string motor_display::state_text(motor_sight const& seen) const
 record motor_display::record_of(motor_sight const& seen, std::string const& note) const
 {
     bool const is_known = seen.is_linked and seen.has_output;
-    bool const has_current = is_known and amperes_a_step_ > 0;
     std::string state = state_text(seen);
     if (is_table_) { // a table that is shown line by line has columns as wide as its first line
         state.resize(longest_state, ' ');
@@ -77,7 +76,7 @@ record motor_display::record_of(motor_sight const& seen, std::string const& note
     return {{"seconds", std::round(seconds() * 10) / 10},
             {"state", state},
             {"frequency", is_known ? cell{hertz_of(seen)} : cell{}},
-            {"current", has_current ? cell{seen.current * amperes_a_step_} : cell{}},
+            {"current", is_known and current_ != nullptr ? cell{amperes_of(seen)} : cell{}},
             {"note", note}};
 }
 
@@ -86,7 +85,7 @@ std::string motor_display::line_of(motor_sight const& seen) const
     char text[128];
     if (seen.is_linked and seen.has_output) {
         std::snprintf(text, sizeof text, "\r%6.1f s  %-22s %7.1f Hz  %6.2f A\x1b[K", seconds(),
-                      state_text(seen).c_str(), hertz_of(seen), seen.current * amperes_a_step_);
+                      state_text(seen).c_str(), hertz_of(seen), amperes_of(seen));
     } else {
         std::snprintf(text, sizeof text, "\r%6.1f s  %-22s\x1b[K", seconds(), state_text(seen).c_str());
     }
@@ -97,6 +96,14 @@ double motor_display::hertz_of(motor_sight const& seen) const
 {
     double const size = std::abs(seen.output) / 10.0;
     return seen.output < 0 or (seen.output > 0 and seen.is_backwards) ? -size : size;
+}
+
+/// Divides last: the quotient is the double that its fewest digits mean.
+double motor_display::amperes_of(motor_sight const& seen) const
+{
+    return current_ == nullptr ? 0
+                               : static_cast<double>(seen.current) * static_cast<double>(current_->step.numerator) /
+                                     static_cast<double>(current_->step.denominator);
 }
 
 double motor_display::seconds() const

@@ -32,13 +32,14 @@ private:
     record record_of(motor_sight const& seen, std::string const& note) const;
     std::string line_of(motor_sight const& seen) const;
     double hertz_of(motor_sight const& seen) const;
+    double amperes_of(motor_sight const& seen) const;
     double seconds() const;
 
     std::unique_ptr<form> form_;
     bool is_table_;
-    bool is_line_;             ///< one line that changes
-    bool was_linked_{false};   ///< something was read
-    double amperes_a_step_{0}; ///< 0 where nobody knows
+    bool is_line_;                  ///< one line that changes
+    bool was_linked_{false};        ///< something was read
+    register_entry const* current_; ///< null where nobody knows its steps
     std::chrono::steady_clock::time_point began_{std::chrono::steady_clock::now()};
     double next_{0}; ///< seconds after `began_`
 };
