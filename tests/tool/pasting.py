@@ -85,7 +85,10 @@ def check_scan(tool, simulator, device, check):
         ended = tool.run("--port", device, *TIMES, "scan", "--units", f"{UNIT}-{UNIT + 1}", *rates)
         simulator.suffer(f"{UNIT} fault")
         simulator.suffer(f"{UNIT} clear")
-        found, done = pasted(tool, ended.errors)
+        *lines, last = ended.errors.splitlines()
+        found, done = pasted(tool, lines[-1])
+        check(done.returncode == DONE and "RFR" in done.stdout, f"{rates}: what a scan shows next reads the drive", (found, done))
+        found, done = pasted(tool, last)
         check(done.returncode == DONE and "reset" in done.stdout, f"{rates}: what a scan shows resets the drive", (found, done))
         check(not rates or "-b " in found[0], f"{rates}: with the rate at which it was found", found)
     with Units({9: {3201: 0}}) as line:

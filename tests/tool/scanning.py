@@ -41,8 +41,9 @@ def check_whole_line(tool, check):
         ended = tool.run(*how, "--json", "scan", limit=2 * LIMIT)
         found = {row["unit"]: row["drive"] for row in ended.objects()}
         check(ended.status == DONE and found == THERE, "three drives among 247 addresses, and nothing else", ended)
-        first, *lines, last = ended.errors.splitlines()
+        first, *lines, further, last = ended.errors.splitlines()
         check("247 addresses" in first and "at most" in first, "the first line says how long it may take", first)
+        check(further.startswith("note: next: `") and "-u 3 read RFR`" in further, "the one before, what is next", further)
         check(last.startswith("note: a drive that"), "the last line is of what it leaves", last)
         check(5 < len(lines) and all(re.match(r"\d+ of 237, asking unit \d+ at 19200 8E1, \d found", line) for line in lines),
               "a line of progress now and then, where it is no terminal, behind the lowest addresses", lines)
@@ -227,10 +228,21 @@ def check_left(tool, check):
         ended = tool.run("--port", line.name, "--no-listen", "--timeout", TIMEOUT, "scan", "--units", "9")
         check("SLF" not in ended.errors, "of a unit that is no drive nothing is said", ended)
     ended = tool.run("--port", "sim:atv320:7", "scan", "--units", "7")
-    check(ended.status == DONE and not ended.errors, "nor of drives that end with the scan", ended)
+    check(ended.status == DONE and "SLF" not in ended.errors, "nor of drives that end with the scan", ended)
 
 
-PARTS = {"": (check_whole_line, check_port_word, check_resume, check_damaged, check_listening), "share": (check_share,), "left": (check_left,)}
+def check_simulated(tool, check):
+    """Who is on a simulated line is known: nobody else is waited for, which would be 0.2 s each. What is next is said."""
+    began = time.monotonic()
+    ended = tool.run("--port", "sim:atv320:200,atv12:3", "--json", "scan")
+    spent = time.monotonic() - began
+    check([row["unit"] for row in ended.objects()] == [3, 200] and spent < 247 * 0.2 / 2, f"both are found in {spent:.1f} s", ended)
+    check("-p sim:atv320:200,atv12:3 -u 3 read RFR`" in ended.errors, "the command that reads the first", ended)
+    ended = tool.run("--port", "sim:atv320:7,atv12:3", "--timeout", SHORT_TIMEOUT, "read", "RFR")
+    check(ended.status == NO_ANSWER and "no unit 1, only 3 and 7: say -u 3" in ended.errors, "who else is there", ended)
+
+
+PARTS = {"": (check_whole_line, check_simulated, check_port_word, check_resume, check_damaged, check_listening), "share": (check_share,), "left": (check_left,)}
 
 
 def main(check, program, part=""):

@@ -266,6 +266,9 @@ private:
 
     asked_once ask(open_line& line, rtuwire::unit_id unit) const
     {
+        if (line.port().is_absent(unit.byte())) {
+            return {errc::timed_out, false};
+        }
         constexpr std::size_t request = 8;
         std::size_t const before = line.port().heard() + (chosen_.line.has_echo ? request : 0);
         errc const outcome =
@@ -493,10 +496,12 @@ private:
                " and format = \"" + name_of_format(found_at_->format) + "\" in rtuwire.toml";
     }
 
-    /// What is next where somebody is there that is no drive of this program.
+    /// What is next where somebody is there: first with one that is no drive of this program.
     std::string next_text() const
     {
-        return unknown_.empty() ? std::string{} : "which registers has it? `" + unknown_ + "` asks, and only reads";
+        return not unknown_.empty() ? "which registers has it? `" + unknown_ + "` asks, and only reads"
+               : not drive_.empty() ? "next: `" + drive_ + "` reads its output frequency"
+                                    : std::string{};
     }
 
     void note(line_setting const& how, rtuwire::unit_id unit, identity_words const& who)
@@ -508,6 +513,9 @@ private:
         last_found_ = ": unit " + std::to_string(unit.byte()) + at_text(how);
         if (who.drive.empty() and unknown_.empty()) {
             unknown_ = shown_command(line_at(how), unit, "map");
+        }
+        if (drive_.empty() and not who.drive.empty()) {
+            drive_ = shown_command(line_at(how), unit, "read RFR");
         }
     }
 
@@ -587,6 +595,7 @@ private:
     std::string tcp_text_{};
     std::string last_found_{};
     std::string unknown_{}; ///< the command that asks the first one that is no drive for its registers
+    std::string drive_{};   ///< that reads the first one that is
     bool has_listened_{false};
     bool has_echo_{false};
 };

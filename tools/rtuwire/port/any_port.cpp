@@ -118,6 +118,7 @@ result<void> any_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
         return errc::cancelled;
     }
     auto const written = std::visit([&](auto& port) { return port.write(bytes, until); }, port_);
+    asked_ = bytes.empty() ? asked_ : std::to_integer<std::uint8_t>(bytes.front());
     has_taken_last_ = written and not is_gone_;
     has_sent_ = has_sent_ or written;
     note_failure(written.error());
@@ -182,8 +183,30 @@ std::string any_port::other_protocol() const
                : "";
 }
 
+bool any_port::is_absent(std::uint8_t unit) const noexcept
+{
+    return is_simulated() and not std::ranges::binary_search(drives_.units(), unit);
+}
+
+/// Who is on a simulated line, where somebody else was asked.
+std::string any_port::other_units() const
+{
+    if (asked_ == 0 or not is_absent(asked_)) {
+        return {};
+    }
+    std::string all;
+    for (std::uint8_t const each : drives_.units()) {
+        all += (all.empty() ? "" : " and ") + std::to_string(each);
+    }
+    return "; this simulated line has no unit " + std::to_string(asked_) + ", only " + all + ": say -u " +
+           std::to_string(drives_.units().front());
+}
+
 std::string any_port::words_of_silence() const
 {
+    if (is_simulated()) {
+        return other_units();
+    }
     auto const* const numbered = std::get_if<mbap_stream>(&port_);
     if (numbered == nullptr or numbered->dropped() == rtuwire::mbap_dropped{}) {
         return heard_ == 0 ? other_protocol() : "";

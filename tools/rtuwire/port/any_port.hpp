@@ -45,6 +45,9 @@ public:
     /// Whether what answers here is simulated.
     [[nodiscard]] bool is_simulated() const noexcept { return drives_.is_running(); }
 
+    /// Whether it is known that nobody has an address here: on a line of simulated drives.
+    [[nodiscard]] bool is_absent(std::uint8_t unit) const noexcept;
+
     /// Whether responses come by the number of their request, as of Modbus TCP: nobody else is heard there, and none is late.
     [[nodiscard]] bool has_numbers() const noexcept { return timing_.has_numbers(); }
 
@@ -77,7 +80,7 @@ public:
     [[nodiscard]] std::string const& failure() const noexcept;
 
     /// What there is to say of it where a unit did not answer in time: that responses came too late, or of another unit, or
-    /// that another protocol may be meant. Begins with a mark; empty where there is nothing.
+    /// that another protocol may be meant, or which units a simulated line has. Begins with a mark; empty where there is nothing.
     [[nodiscard]] std::string words_of_silence() const;
 
     /// Sends all bytes. Errors: `transmit_stalled`, `device_not_open`, `device_vanished`, `device_failed`; over
@@ -111,12 +114,14 @@ private:
     rtuwire::result<rtuwire::byte_span> read_attended(rtuwire::byte_span place, rtuwire::instant until);
     void note_failure(rtuwire::errc why);
     std::string other_protocol() const;
+    std::string other_units() const;
 
     simulated_drives drives_{}; ///< outlives the port to them
     std::variant<rtuwire::host_serial, rtuwire::tcp_stream, rtuwire::mbap_stream> port_{};
     rtuwire::line_timing timing_{rtuwire::line_timing::without_wire()};
     std::size_t heard_{0};
     bool has_sent_{false};
+    std::uint8_t asked_{0}; ///< the unit of the last frame
     bool has_taken_last_{false};
     bool is_gone_{false};
     bool has_receive_error_{false}; ///< that was taken from the port

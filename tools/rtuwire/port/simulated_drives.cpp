@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "port/simulated_drives.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <future>
@@ -87,6 +88,11 @@ bool simulated_drives::start(simulated_drives_choice const& choice)
         return false;
     }
     device_ = port.path();
+    units_.clear();
+    for (simulated_drive_choice const& each : choice.drives) {
+        units_.push_back(each.unit);
+    }
+    std::ranges::sort(units_);
     try {
         line_ = std::make_unique<running_line>(std::move(port), choice);
     } catch (std::exception const& error) {

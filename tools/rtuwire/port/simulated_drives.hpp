@@ -5,8 +5,10 @@
 // killed.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "port/port_word.hpp"
 
@@ -29,6 +31,9 @@ public:
 
     [[nodiscard]] bool is_running() const noexcept { return line_ != nullptr; }
 
+    /// The addresses that somebody has there, in their order; empty where it was never started.
+    [[nodiscard]] std::vector<std::uint8_t> const& units() const noexcept { return units_; }
+
     /// The serial device on which they answer; another program may open it.
     [[nodiscard]] std::string const& device() const noexcept { return device_; }
 
@@ -38,6 +43,7 @@ private:
     class running_line;
 
     std::unique_ptr<running_line> line_{};
+    std::vector<std::uint8_t> units_{};
     std::string device_{};
     std::string failure_{};
 };
