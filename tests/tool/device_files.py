@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSL-1.0
 """Register files that come with the program, found by their names, and those that it writes of its drives."""
 import pathlib
+import shutil
+import subprocess
 import tomllib
 
 from support import DIFFERS, DONE, USAGE, Tool, runs
@@ -21,6 +23,16 @@ def check_shipped(tool, check):
     check((found["voltage_l1"], found["energy_import"]) == ("input:0:f32:1V", "input:72:f32:1kWh"), "places of a meter", found)
     ended = tool.run("device", "check", "sdm63")
     check(ended.status == USAGE and "did you mean 'sdm630'?" in ended.errors, "the nearest name", ended)
+    ended = tool.run("-p", "sim:sdm360:1", "read", "4")
+    check(all(name in ended.errors for name in names) and "did you mean sim:sdm630:1?" in ended.errors, "all are named for sim:", ended)
+    meter = SHIPPED / "sdm630.toml"
+    shown = {row["register"]: row["text"] for row in tool.run("-p", f"sim:{meter}:1", "--device", meter, "--json", "read", "*").objects()}
+    check((shown["voltage_l1"], shown["current_l1"], shown["frequency"]) == ("230.1 V", "4.2 A", "50 Hz"), "a simulated meter has values", shown)
+    alone = tool.place / "bin" / "rtuwire"
+    alone.parent.mkdir()
+    shutil.copy(tool.program, alone)
+    ended = subprocess.run([alone, "device", "check", "sdm630"], check=False, capture_output=True, text=True)
+    check(f"looked for in {tool.place}/share/rtuwire/devices, which is not there" in ended.stderr, "a program without its files", ended)
     for word in ("../devices/sdm630", "sdm630.toml", "./sdm630"):
         check(tool.run("device", "check", word).status == USAGE, f"{word} is a path", word)
     own = tool.place / ".local" / "share" / "rtuwire" / "devices"

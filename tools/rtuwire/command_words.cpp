@@ -34,9 +34,9 @@ std::string why_no_list(std::string const& word)
 
 void add_line_options(CLI::App& app, line_choices& line)
 {
-    app.add_option(
-        "-p,--port", line.port,
-        "/dev/ttyUSB0, tcp://host:4001, mbap://host, sim:atv320:7,atv12:3, sim:meter.toml:61 or a capture file");
+    app.add_option("-p,--port", line.port,
+                   "/dev/ttyUSB0, tcp://host:4001, mbap://host, sim:atv320:7,atv12:3, sim:sdm630:1, sim:meter.toml:61 "
+                   "or a capture file");
     // A list as it is typed: CLI11 would drop what is empty between its commas.
     app.add_option_function<std::vector<std::string>>(
            "-u,--unit",

@@ -18,6 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where those are that come with the program; empty where nobody knows where that is.
+fs::path folder_of_program()
+{
+    fs::path const program = own_path();
+    return program.empty() ? program : program.parent_path().parent_path() / "share" / "rtuwire" / "devices";
+}
+
 /// The user's own goes before what came with the program.
 std::vector<fs::path> device_folders()
 {
@@ -25,8 +32,8 @@ std::vector<fs::path> device_folders()
     if (fs::path const data = folder_of_user(user_folder::data); not data.empty()) {
         folders.push_back(data / "rtuwire" / "devices");
     }
-    if (fs::path const program = own_path(); not program.empty()) {
-        folders.push_back(program.parent_path().parent_path() / "share" / "rtuwire" / "devices");
+    if (fs::path const shipped = folder_of_program(); not shipped.empty()) {
+        folders.push_back(shipped);
     }
     return folders;
 }
@@ -57,6 +64,18 @@ std::optional<std::string> device_file_named(std::string const& word)
     return std::nullopt;
 }
 
+std::vector<std::string> device_file_names()
+{
+    std::vector<std::string> known;
+    for (fs::path const& folder : device_folders()) {
+        std::vector<std::string> const names = names_in(folder);
+        known.insert(known.end(), names.begin(), names.end());
+    }
+    std::ranges::sort(known);
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    return known;
+}
+
 std::string path_of_device(std::string const& word)
 {
     if (word.find_first_of("./") != word.npos) {
@@ -65,16 +84,16 @@ std::string path_of_device(std::string const& word)
     if (auto const found = device_file_named(word)) {
         return *found;
     }
-    std::vector<std::string> known;
-    for (fs::path const& folder : device_folders()) {
-        std::vector<std::string> const names = names_in(folder);
-        known.insert(known.end(), names.begin(), names.end());
-    }
-    std::ranges::sort(known);
+    std::vector<std::string> const known = device_file_names();
     std::vector<std::string_view> const views{known.begin(), known.end()};
     std::string all;
     for (std::string const& each : known) {
         all += (all.empty() ? "; there is " : ", ") + each;
+    }
+    fs::path const shipped = folder_of_program();
+    std::error_code ignored;
+    if (not shipped.empty() and not fs::is_directory(shipped, ignored)) {
+        all += "; those that come with the program are looked for in " + shipped.string() + ", which is not there";
     }
     refuse_word("there is no register file called '" + word + "'" + suggestion(word, views) + all +
                 "; a file of yours has a path: ./" + word + " or " + word + ".toml");

@@ -5,11 +5,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tool {
 
 /// The register file of that name in a folder; nothing where there is none.
 [[nodiscard]] std::optional<std::string> device_file_named(std::string const& word);
+
+/// The names of all of them, sorted.
+[[nodiscard]] std::vector<std::string> device_file_names();
 
 /// The path of a register file. A word with a point or a slash is one; else it is the name of a file of a folder, without
 /// ".toml". Refuses a name that no folder has, with the nearest.

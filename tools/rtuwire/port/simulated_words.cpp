@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "device/device_folders.hpp"
 #include "device/register_file.hpp"
 #include "port/named_drives.hpp"
 #include "port/simulated_device.hpp"
@@ -89,10 +90,16 @@ void add(simulated_words& found, drive_word const& at)
     std::string const number{colon == at.size ? "1" : at.word().substr(colon + 1)};
     auto const drive = drive_named(name);
     if (not drive) {
-        auto const names = names_of_drives();
+        std::vector<std::string> const files = device_file_names();
+        auto names = names_of_drives();
+        names.insert(names.end(), files.begin(), files.end());
         std::string const nearest{nearest_word(name, names)};
         found.why = (name.empty() ? "a drive is missing, one of " : "there is no drive " + name + ", only ") +
-                    drive_names() + ", or a register file, meter.toml";
+                    drive_names() + ", or a register file: ";
+        for (std::string const& each : files) {
+            found.why += each + ", ";
+        }
+        found.why += "or a path such as meter.toml";
         found.nearest = nearest.empty() ? "" : at.with(nearest + std::string{at.word().substr(colon)});
         return;
     }
