@@ -33,6 +33,8 @@ def check_shipped(tool, check):
     shutil.copy(tool.program, alone)
     ended = subprocess.run([alone, "device", "check", "sdm630"], check=False, capture_output=True, text=True)
     check(f"looked for in {tool.place}/share/rtuwire/devices, which is not there" in ended.stderr, "a program without its files", ended)
+    ended = tool.run("-p", f"sim:{meter}:1", "--device", meter, "read", "voltage")
+    check(ended.status == USAGE and "did you mean" in ended.errors and "voltage_l1" in ended.errors, "the name that begins so", ended)
     for word in ("../devices/sdm630", "sdm630.toml", "./sdm630"):
         check(tool.run("device", "check", word).status == USAGE, f"{word} is a path", word)
     own = tool.place / ".local" / "share" / "rtuwire" / "devices"

@@ -15,10 +15,11 @@ namespace tool {
 /// How the program was called, for a command that it shows: quoted for a shell.
 struct typed_line {
     std::string program{"rtuwire"};
-    std::string options{}; ///< those of the line, without the three below: " -p /dev/ttyUSB0"
-    std::string rate{};    ///< " -b 9600 -f 8N1"
-    std::string unit{};    ///< " -u 7"
-    std::string drive{};   ///< " -d atv320"
+    std::string options{};    ///< those of the line, without the three below: " -p /dev/ttyUSB0"
+    std::string rate{};       ///< " -b 9600 -f 8N1"
+    std::string unit{};       ///< " -u 7"
+    std::string drive{};      ///< " -d atv320"
+    std::string stray_port{}; ///< an operand that looks like a port
 };
 
 /// The line, and who is on it.

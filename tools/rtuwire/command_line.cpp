@@ -256,7 +256,8 @@ std::string wrong_word(CLI::App const& app)
                    suggestion(word, std::vector<std::string_view>{options.begin(), options.end()});
         }
         if (not has_command) {
-            return "'" + word + "' is no command" + suggestion(word, commands_of(app));
+            return "'" + word + "' is no command" +
+                   (word == "help" ? "; say `rtuwire --help`" : suggestion(word, commands_of(app)));
         }
     }
     return {};
@@ -270,10 +271,24 @@ exit_status show(CLI::App const& app, CLI::ParseError const& what)
     return print(with_own_port(text.str()));
 }
 
+/// The whole command, behind the complaint that something is missing; empty behind another.
+std::string what_is_missing(CLI::App const& app, CLI::ParseError const& why)
+{
+    if (dynamic_cast<CLI::RequiredError const*>(&why) == nullptr) {
+        return {};
+    }
+    auto const asked = app.get_subcommands();
+    if (asked.empty()) {
+        return "; say `rtuwire --help`";
+    }
+    std::string const name = asked.front()->get_name();
+    return "; such as `" + example_of(name) + "`; `rtuwire " + name + " --help` says more";
+}
+
 exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
 {
     std::string const word = wrong_word(app);
-    std::string const text = word.empty() ? why.what() : word;
+    std::string const text = word.empty() ? why.what() + what_is_missing(app, why) : word;
     tell_error(text);
     return exit_status::usage;
 }
@@ -301,7 +316,10 @@ void read_register_files(choices& chosen, bool has_pause)
     bool const knows_names = asked != nullptr and asked->files == file_use::names;
     line.knows_registers = knows_names;
     if (not line.device.empty() and not knows_names) {
-        refuse_word("--device: " + commands_with_files() + " know register files, '" + chosen.command + "' does not");
+        std::string const list =
+            chosen.command == "list" ? "; `device check " + line.device + "` lists its registers" : "";
+        refuse_word("--device: " + commands_with_files() + " know register files, '" + chosen.command + "' does not" +
+                    list);
     }
     std::vector<std::string> files;
     for (named_unit const& each : knows_names ? names_in(line) : std::vector<named_unit>{}) {
@@ -327,7 +345,7 @@ parsed parse(int argc, char** argv)
     CLI::App app{"Modbus RTU lines and Altivar drives: find, read, write, watch, run, capture.\n"
                  "It reads unless --write or --allow-run says otherwise.",
                  "rtuwire"};
-    app.set_version_flag("--version", RTUWIRE_TOOL_VERSION);
+    app.set_version_flag("-V,--version", RTUWIRE_TOOL_VERSION);
     std::string ignored; // read already
     app.add_option(
         "--config", ignored,
@@ -355,6 +373,11 @@ parsed parse(int argc, char** argv)
     }
     read_register_files(chosen, app.get_option("--pause")->count() > 0);
     chosen.line.typed = typed_in(app, argc > 0 ? argv[0] : "");
+    for (std::string const& each : chosen.words) {
+        bool const is_port = each.starts_with("sim:") or each.starts_with("tcp://") or each.starts_with("mbap://") or
+                             each.starts_with("/dev/");
+        chosen.line.typed.stray_port = is_port ? each : chosen.line.typed.stray_port;
+    }
     if (chosen.command == "completion" or chosen.command == "man") {
         return {std::nullopt, print_own_text(app, chosen)};
     }

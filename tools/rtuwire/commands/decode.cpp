@@ -64,9 +64,10 @@ public:
     {
         if (not has_bytes_) {
             bool const is_typed = not words_.empty() and words_ != "-";
-            refuse_word(is_typed ? words_ + ": there are no bytes to explain in this; a capture is given by -p FILE, a "
-                                            "file of lines on the standard input: decode - <FILE"
-                                 : "there are no bytes to explain");
+            refuse_word(is_typed
+                            ? words_ + ": there are no bytes to explain in this; a capture is shown by `decode -p " +
+                                  words_ + "`, a file of lines on the standard input: decode - <" + words_
+                            : "there are no bytes to explain");
         }
         return status_;
     }

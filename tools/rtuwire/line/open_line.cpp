@@ -57,7 +57,9 @@ rtuwire::client_options options_in(line_choices const& chosen, bool has_numbers)
 any_port open_port(line_choices const& chosen, line_setting const& how)
 {
     if (chosen.port.empty()) {
-        refuse_word(std::string{"which line? say --port "} + example_port + ", tcp://host:4001, mbap://host or sim:atv320:1");
+        refuse_word(std::string{"which line? say --port "} + example_port +
+                    ", tcp://host:4001, mbap://host or sim:atv320:1" +
+                    (chosen.typed.stray_port.empty() ? "" : "; did you mean -p " + chosen.typed.stray_port + "?"));
     }
     port_choice const which = read_port_word(chosen.port);
     if (which.refused) {

@@ -23,6 +23,12 @@ any_port open_to_listen(choices const& chosen)
             ": a server of Modbus TCP answers whoever asks, and nobody else hears it: there is nothing to listen to "
             "(--trace keeps what a command itself says and hears)");
     }
+    if (chosen.line.port.starts_with("sim:")) {
+        refuse_word(
+            chosen.line.port +
+            ": nobody else talks on a simulated line, so that there is nothing to listen to (--trace keeps what "
+            "a command itself says and hears)");
+    }
     return open_port(chosen.line, setting_in(chosen.line));
 }
 

@@ -134,9 +134,11 @@ refusal_or_none collector::add_names(std::string_view word)
             ++matched;
         }
     }
-    return matched > 0
-               ? refusal_or_none{}
-               : unknown("unknown_register", word, names_->file + " has no such register", nearest_word(word, known));
+    std::string const begun = std::string{word} + '_';
+    auto const longer = std::ranges::find_if(known, [&](std::string_view each) { return each.starts_with(begun); });
+    return matched > 0 ? refusal_or_none{}
+                       : unknown("unknown_register", word, names_->file + " has no such register",
+                                 longer != known.end() ? *longer : nearest_word(word, known));
 }
 
 /// All registers of a group of the register file.
