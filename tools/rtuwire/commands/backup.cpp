@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // Reads all parameters of a drive into a file, or the settings that a register file names.
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "backup/backup_text.hpp"
 #include "backup/drive_settings.hpp"
@@ -10,6 +13,7 @@
 #include "commands/device_commands.hpp"
 #include "files/regular_file.hpp"
 #include "files/whole_file.hpp"
+#include "output/plain_text.hpp"
 #include "words/words.hpp"
 
 namespace tool {
@@ -51,8 +55,13 @@ exit_status run_backup(choices const& chosen)
         print(made.text);
         return exit_status::done;
     }
+    std::error_code ignored;
+    bool const is_there = std::filesystem::exists(chosen.file, ignored);
     if (std::string const why = write_whole_file(chosen.file, made.text); not why.empty()) {
         throw ended{exit_status::port, chosen.file + ": " + why + "; the backup is not kept"};
+    }
+    if (is_there) {
+        std::fprintf(stderr, "note: %s was there already, and is replaced\n", plain_text(chosen.file).c_str());
     }
     output results{chosen.form, false};
     results.put({{"unit", std::int64_t{unit.unit.byte()}},
