@@ -457,7 +457,7 @@ void add_serve(CLI::App& app, choices& chosen)
     add_to_footer(
         serve,
         "It reads. With --write it passes on what the command write would, to drives as well; nothing by which a\n"
-        "motor of a known drive may turn, nor --allow-run; a word that stops one passes. --write beyond this machine\n"
+        "motor of a known drive may turn, nor --allow-run; 0000 passes. --write beyond this machine\n"
         "needs --from.\n"
         "Exceptions of its own: 01 refused here; 03 not as the specification has it; 06 too many requests wait, "
         "or this\none waited 5 s; 0A no such unit here; 0B the unit did not answer, or the line is away.");

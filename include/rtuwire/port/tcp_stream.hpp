@@ -224,6 +224,13 @@ public:
         if (not bytes) {
             return lost(bytes.error()).error();
         }
+#ifdef TCP_QUICKACK
+        // Many servers let a response wait until the one before is confirmed (Nagle): behind one that came late, each would
+        // come behind the next request, and count as its response.
+        if (not bytes->empty()) {
+            detail::set_option(line_.number(), IPPROTO_TCP, TCP_QUICKACK, 1);
+        }
+#endif
         return bytes;
     }
 

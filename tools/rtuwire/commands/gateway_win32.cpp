@@ -7,8 +7,7 @@ namespace tool {
 exit_status run_gateway(choices const&)
 {
     refuse_word("gateway: there is none on Windows; it runs on Linux, and reaches a line elsewhere by tcp:// or "
-                "mbap://, such as "
-                "that of `rtuwire serve`");
+                "mbap://, such as one of serve");
 }
 
 } // namespace tool

@@ -30,7 +30,8 @@ void tell_what_is_served(choices const& chosen, serve_settings const& settings)
     if (settings.gate.may_write) {
         text +=
             "serve: --write: clients may write what the command write may, to whoever is served; nothing by which a "
-            "motor of a known drive may turn, and what stops one; which registers run another maker's, nobody here "
+            "motor of a known drive may turn, and 0000, which stops one; which registers run another maker's, nobody "
+            "here "
             "knows\n";
     }
     tell_at_once(text);

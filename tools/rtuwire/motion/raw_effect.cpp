@@ -196,47 +196,18 @@ std::vector<value_to_write> checked_places(byte_view pdu, open_line& line, named
     return checked_values(values_written(pdu), line, unit, rules, chosen);
 }
 
-/// The word that a request writes to the command of a drive, and writes nothing else, where it is one by which a motor stops.
-std::optional<std::uint16_t> stop_word_in(byte_view pdu, drive_catalog const& drive)
+/// Whether a request writes 0000 to the command of a drive, and nothing else: its motor coasts, in each profile. Of an ATV28, which
+/// does not say what it is, nobody knows that it is one.
+bool takes_power_away(byte_view pdu, drive_catalog const& drive)
 {
-    constexpr std::uint16_t quick_stop = 0x0002, ramp = 0x0007;
+    constexpr std::uint16_t of_atv28 = 400;
     constexpr rtuwire::function_set plain{function_code::write_single_register,
                                           function_code::write_multiple_registers};
-    if (not plain.contains(code_of(pdu)) or not is_as_specified(pdu)) {
-        return std::nullopt;
+    if (drive.layout.cmd == of_atv28 or not plain.contains(code_of(pdu)) or not is_as_specified(pdu)) {
+        return false;
     }
     written_registers const it = registers_written(pdu);
-    std::uint16_t const word = word_at(pdu, it.at);
-    bool const stops = word == 0 or word == quick_stop or word == ramp;
-    return it.first == drive.layout.cmd and it.count == 1 and stops ? std::optional{word} : std::nullopt;
-}
-
-/// Ends the command where a word that stops a motor in the drive profile may run it, because that is not known to be it.
-void refuse_unless_it_stops(std::uint16_t word, open_line& line, rtuwire::unit_id unit, drive_catalog const& drive)
-{
-    constexpr std::uint16_t of_atv28 = 400;          // which has one profile
-    constexpr std::uint16_t together = 1, apart = 2; // CHCF of the drive profile
-    if (word == 0 or drive.layout.cmd == of_atv28) {
-        return;
-    }
-    std::uint16_t const chcf = drive.layout.safeguards.chcf;
-    if (chcf == 0) {
-        refuse_for_safety("word " + hex_word_of(word) + " may run a motor of an " + std::string{drive.name} +
-                          ", which has no CHCF to tell: 0000 stops it");
-    }
-    auto const read = line.ask(unit, rtuwire::read_holding_registers{.start = chcf, .count = 1});
-    errc const why = read.error();
-    if (why == errc::none and (read->registers[0] == together or read->registers[0] == apart)) {
-        return;
-    }
-    std::string const text =
-        "word " + hex_word_of(word) +
-        " stops a motor in the drive profile, and may run it in another; CHCF, which says which it is, " +
-        (why == errc::none ? "is " + std::to_string(read->registers[0])
-                           : "was not read: " + line.words_of_failure(why)) +
-        ". 0000 stops it in each";
-    exit_status const status = status_of(why);
-    throw ended{status == exit_status::port or status == exit_status::no_answer ? status : exit_status::refused, text};
+    return it.first == drive.layout.cmd and it.count == 1 and word_at(pdu, it.at) == 0;
 }
 
 /// Ends the command where a register runs a motor of some drive, or tells it who does.
@@ -261,7 +232,7 @@ void refuse_what_runs_drives(byte_view pdu)
 bool is_word_that_stops(byte_view pdu)
 {
     return std::ranges::any_of(all_catalogs(),
-                               [pdu](drive_catalog const* each) { return stop_word_in(pdu, *each).has_value(); });
+                               [pdu](drive_catalog const* each) { return takes_power_away(pdu, *each); });
 }
 
 bool has_reading_function(byte_view pdu)
@@ -358,10 +329,9 @@ std::vector<value_to_write> refuse_for_client(byte_view pdu, open_line& line, na
                                               write_rules const& rules, choices const& chosen)
 {
     refuse_unreadable(pdu);
-    if (auto const word = rules.drive != nullptr ? stop_word_in(pdu, *rules.drive) : std::nullopt) {
-        refuse_unless_it_stops(*word, line, unit.unit, *rules.drive);
+    if (rules.drive != nullptr and takes_power_away(pdu, *rules.drive)) {
         std::uint16_t const cmd = rules.drive->layout.cmd;
-        return {{.where = {cmd}, .entry = rules.drive->at(cmd), .words = {*word}, .text = hex_word_of(*word)}};
+        return {{.where = {cmd}, .entry = rules.drive->at(cmd), .words = {0}, .text = hex_word_of(0)}};
     }
     bool const is_known = rules.drive != nullptr or rules.says_it_is_none;
     if (not is_known) {

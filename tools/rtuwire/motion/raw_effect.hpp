@@ -46,14 +46,13 @@ void refuse_unreadable(rtuwire::byte_view pdu);
 std::vector<value_to_write> checked_request(rtuwire::byte_view pdu, open_line& line, named_unit const& unit,
                                             write_rules const& rules, choices const& chosen);
 
-/// Whether a request writes a word that stops a motor, and nothing else, to the command of some drive: 0000 (disable voltage),
-/// 0002 (quick stop) or 0007 (ramp).
+/// Whether a request writes 0000 (disable voltage), and nothing else, to the command of some drive but an ATV28.
 [[nodiscard]] bool is_word_that_stops(rtuwire::byte_view pdu);
 
 /// Ends the command where this unit may not be sent this request, which is as the specification has it, for a client that sends
-/// what it likes. A word that stops a motor may always go to the command of a drive that is known; 0002 and 0007 only where its
-/// CHCF is read to be the drive profile, in which alone they stop. Other registers, and coils, are judged by the rules of
-/// `write`, all else by those of `ask`. What is not known to be another device gets none of the addresses by which a drive is run, or is told who runs it. Asks the unit where that depends on it, so this is
+/// what it likes. 0000 may always go to the command of a drive that is known, other than an ATV28; no other word that stops in one
+/// profile and may run in another: which it is, a late response could say wrongly. Other registers, and coils, are judged by the
+/// rules of `write`, all else by those of `ask`. What is not known to be another device gets none of the addresses by which a drive is run, or is told who runs it. Asks the unit where that depends on it, so this is
 /// asked before each. The values that it writes, where these are registers or coils.
 std::vector<value_to_write> refuse_for_client(rtuwire::byte_view pdu, open_line& line, named_unit const& unit,
                                               write_rules const& rules, choices const& chosen);
