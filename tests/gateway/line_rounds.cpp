@@ -210,6 +210,31 @@ TEST_CASE("another device in the place of one that says who it is, is found behi
     }
 }
 
+TEST_CASE("what answers a repetition says who it is before its values count")
+{
+    rounds_on_line on{1};
+    auto const names = std::make_shared<tool::named_places>();
+    names->vendor = "Maker";
+    on.plan.devices[0].names = names;
+    on.run_for(5s);
+    REQUIRE(on.line.units[0].identified == 1);
+    on.line.units[0].loses_one = true;
+    on.line.units[0].held = 222;
+    SECTION("the same one")
+    {
+        on.run_for(2s);
+        CHECK(on.line.units[0].identified > 1);
+        CHECK(on.board.device(0)->values[power].value == slot_value{.value = std::int64_t{222}}.value);
+    }
+    SECTION("another one")
+    {
+        on.line.units[0].is_other = true;
+        on.run_for(2s);
+        CHECK_FALSE(on.board.device(0)->is_available);
+        CHECK(on.board.device(0)->values[power].state == value_state::not_read);
+    }
+}
+
 TEST_CASE("a setting whose turn does not come before the end is answered")
 {
     rounds_on_line on{1};

@@ -31,6 +31,7 @@ public:
         bool is_there{true};
         bool is_other{false};
         bool is_invalid{false};
+        bool loses_one{false}; ///< response, before it answers the repetition
         std::int64_t held{0};
         unsigned reads{0};
         unsigned identified{0};
@@ -76,7 +77,7 @@ public:
     {
         unit& asked = units[parts_[part].device];
         ++asked.reads;
-        part_reading found{.has_responded = request(asked)};
+        part_reading found{.has_responded = request(asked), .was_repeated = asked.loses_one};
         found.why = found.has_responded ? "" : "no response in time";
         for (std::size_t i = 0; i < parts_[part].values.size(); ++i) {
             found.values.push_back(not found.has_responded ? slot_value{.state = value_state::failed, .why = found.why}

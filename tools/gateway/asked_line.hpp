@@ -29,6 +29,7 @@ std::vector<device_part> parts_of(line_plan const& plan);
 
 struct part_reading {
     bool has_responded{false};        ///< with a value, or an exception of its own
+    bool was_repeated{false};         ///< some response was lost or damaged first
     std::string why{};                ///< it has not
     std::vector<slot_value> values{}; ///< as in `device_part::values`, without times
 };

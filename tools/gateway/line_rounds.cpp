@@ -180,10 +180,14 @@ void line_rounds::ask(part& one)
 bool line_rounds::may_be_another(std::size_t which) const
 {
     device const& one = devices_[which];
-    device_plan const& plan = plan_.devices[which];
-    bool const says_who = plan.drive != nullptr or (plan.names != nullptr and not plan.names->vendor.empty());
     bool const is_doubtful = one.misses > 0 or line_.now() - one.heard >= longest_unheard;
-    return not one.is_identified or (says_who and is_doubtful);
+    return not one.is_identified or (is_doubtful and says_who(which));
+}
+
+bool line_rounds::says_who(std::size_t which) const
+{
+    device_plan const& plan = plan_.devices[which];
+    return plan.drive != nullptr or (plan.names != nullptr and not plan.names->vendor.empty());
 }
 
 /// Counted from where it began, so that no round makes the next one late for good; what was missed is left out. What a look at
@@ -275,6 +279,10 @@ void line_rounds::read(part& one, std::size_t index)
     device& asked = devices_[which];
     clock::time_point const began = line_.now();
     part_reading found = line_.read(index);
+    // Behind a response that was lost another device may have answered.
+    if (found.has_responded and found.was_repeated and says_who(which) and not identify(which)) {
+        return;
+    }
     if (not found.has_responded) {
         note_silence(which, found.why, line_.now() - began);
         if (not asked.is_identified) {

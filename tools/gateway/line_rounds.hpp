@@ -70,6 +70,7 @@ private:
     void ask(part& one);
     /// Whether it has to be identified before it is read.
     bool may_be_another(std::size_t which) const;
+    bool says_who(std::size_t which) const;
     /// False where it is silent, or another.
     bool identify(std::size_t which);
     void read(part& one, std::size_t index);

@@ -173,8 +173,10 @@ part_reading opened_line::read(std::size_t which)
 {
     read_part& part = parts_[which];
     device_plan const& device = plan_.devices[part.what.device];
+    auto const more_sent_than_asked = [&] { return line_->exchange().sent() - counts_.asked; };
+    auto const before = more_sent_than_asked();
     part.reader.read(*line_, device.unit.unit, true);
-    part_reading found{.why = part.reader.first_failure()};
+    part_reading found{.was_repeated = more_sent_than_asked() != before, .why = part.reader.first_failure()};
     for (std::size_t const each : part.what.values) {
         device_value const& value = device.values[each];
         found.has_responded = found.has_responded or not is_no_response(part.reader.held(value.which.where).why);

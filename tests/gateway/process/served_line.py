@@ -37,9 +37,9 @@ class Stand:
         self.line = None
         self.plug_in()
         self.serve()
-        drive = {"registers": ["RFR", "TTO"], "feeds_supervision": True, "every": 0.5}
+        drive = {"registers": ["RFR", "ITH"], "feeds_supervision": True, "every": 0.5}
         devices = [a_meter(registers=["voltage", "set_point"], settings=["set_point"]),
-                   {"name": "fan", "unit": FAN, "drive": "atv320", "settings": ["TTO"], **drive},
+                   {"name": "fan", "unit": FAN, "drive": "atv320", "settings": ["ITH"], **drive},
                    {"name": "pump", "unit": PUMP, "drive": "atv12", **drive}]
         line = a_line(f"mbap://127.0.0.1:{self.number}", *devices, timeout=1.0)
         self.gateway = self.take(Gateway(self.program, self.folder, text_of(self.broker.port, [line]), "--write"))
@@ -112,8 +112,8 @@ def together(check, program, tool):
             ask.expect("set_point", 90, ("refused",), "one beyond the limits of its file")
             check(soon(lambda: states(stand.client)[-1].values["set_point"]["value"] == 22.5), "is read back")
             ask = Asking(check, stand.client, "line1/fan")
-            ask.expect("TTO", 5.0, ("done",), "a setting of a drive")
-            check(soon(lambda: states(stand.client, "line1/fan")[-1].values["TTO"]["value"] == 5.0), "is read back")
+            ask.expect("ITH", 5.0, ("done",), "a setting of a drive")
+            check(soon(lambda: states(stand.client, "line1/fan")[-1].values["ITH"]["value"] == 5.0), "is read back")
             check(all(flows(stand.client, each, began, 8) for each in DEVICES), "values go on")
             for each in DEVICES:
                 got = [one.time for one in states(stand.client, each, began)]
@@ -123,7 +123,7 @@ def together(check, program, tool):
             check(soon(lambda: all(now > then for now, then in zip(others.counts, before))), "the others go on, too")
         check(not others.wrong, "and get their own answers", others.wrong[:3])
         rows = stand.served.noted()
-        check([each[3:5] for each in rows if "127.0.0.1" in each[6]] == [[str(METER_UNIT), "10"], [str(FAN), "TTO"]],
+        check([each[3:5] for each in rows if "127.0.0.1" in each[6]] == [[str(METER_UNIT), "10"], [str(FAN), "ITH"]],
               "what the gateway wrote is noted by serve, once each", rows)
         check(stand.gateway.end() == 0, "the gateway ends")
 
