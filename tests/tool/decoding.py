@@ -185,7 +185,7 @@ def forms_of_hex(tool, check):
     found = tool.run("decode", "02 03 0G")
     check(found.status == USAGE and "0G" in found.errors, "what is no hex is named", found)
     found = tool.run("decode", "line.pcapng")
-    check(found.status == USAGE and "line.pcapng: there are no bytes" in found.errors and "-p FILE" in found.errors,
+    check(found.status == USAGE and "line.pcapng: there are no bytes" in found.errors and "-p line.pcapng" in found.errors,
           "and so is what has no bytes", found)
     pair = (with_crc(bytes.fromhex(each)).hex() for each in ("07 03 0C 82 00 01", "07 03 02 01 F4"))
     named = tool.run("--json", "--drive", "atv320", "decode", *pair)

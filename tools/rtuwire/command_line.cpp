@@ -257,7 +257,7 @@ std::string wrong_word(CLI::App const& app)
         }
         if (not has_command) {
             return "'" + word + "' is no command" +
-                   (word == "help" ? "; say `rtuwire --help`" : suggestion(word, commands_of(app)));
+                   (word == "help" ? "; `--help` names them" : suggestion(word, commands_of(app)));
         }
     }
     return {};
@@ -279,10 +279,10 @@ std::string what_is_missing(CLI::App const& app, CLI::ParseError const& why)
     }
     auto const asked = app.get_subcommands();
     if (asked.empty()) {
-        return "; say `rtuwire --help`";
+        return "; `--help` names them";
     }
     std::string const name = asked.front()->get_name();
-    return "; such as `" + example_of(name) + "`; `rtuwire " + name + " --help` says more";
+    return "; such as `" + example_of(name) + "`; `" + name + " --help` says more";
 }
 
 exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
