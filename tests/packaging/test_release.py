@@ -1,10 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """packaging/release.sh: nothing that it did not make is touched, its place is named in any way, settings of git change no
-byte, and a signal leaves nothing behind."""
+byte, and a signal leaves nothing behind. The workflow that runs it on a git host tells it all that it does not know itself."""
 import os
+import re
 import signal
 import subprocess
+import unittest
+
+import yaml
 
 from support import PROJECT, InAFolder, run
 
@@ -101,3 +105,24 @@ class Release(InAFolder):
                 os.killpg(process.pid, number)
                 self.assertEqual(process.wait(60), 128 + number)
                 self.assertEqual(list(self.place.glob("cut_*")), [])
+
+
+class Workflow(unittest.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.told = yaml.safe_load((PROJECT / ".github/workflows/release.yml").read_text(encoding="utf-8"))
+
+    def test_it_tells_each_address_that_has_none_here(self):
+        unknown = re.findall(r"\$\{(RTUWIRE_\w+):-https://rtuwire\.invalid", (PROJECT / "packaging/release.sh").read_text(encoding="utf-8"))
+        self.assertEqual(len(unknown), 2)
+        steps = [step for step in self.told["jobs"]["make"]["steps"] if "packaging/release.sh" in step.get("run", "")]
+        self.assertEqual([set(step["env"]) for step in steps], [set(unknown)])
+
+    def test_what_is_built_may_write_nothing(self):
+        self.assertEqual(self.told["permissions"], {"contents": "read"})
+        self.assertEqual({name: job.get("permissions") for name, job in self.told["jobs"].items()},
+                         {"make": None, "publish": {"contents": "write"}})
+        for step in self.told["jobs"]["make"]["steps"]:
+            if "actions/checkout" in step.get("uses", ""):
+                self.assertIs(step["with"]["persist-credentials"], False)
+        self.assertNotIn("actions/checkout", str(self.told["jobs"]["publish"]))
