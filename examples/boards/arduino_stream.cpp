@@ -54,6 +54,8 @@ template <typename Engine> void transmit(Engine& link)
     }
 }
 
+void rest() { delay(1); }
+
 client modbus{timing};
 single_request ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};
 
@@ -72,5 +74,5 @@ void loop()
         ask.again();
     }
     transmit(modbus);
-    delay(1);
+    rest();
 }

@@ -7,6 +7,8 @@
 
 #include "../../examples/boards/arduino_esp32.cpp"
 
+#include "loop.hpp"
+
 namespace {
 
 std::deque<std::uint8_t> ring;
@@ -25,7 +27,7 @@ void arrive(std::uint8_t byte, stand_in::arrival how)
     }
 }
 
-struct arduino_esp32 {
+struct arduino_esp32 : stand_in::loop_of_file {
     static constexpr auto timing = line_timing::host(19'200, character_format::even_8_1);
     static void open()
     {
@@ -38,13 +40,6 @@ struct arduino_esp32 {
         for (;;) {
             loop();
         }
-    }
-    template <typename Engine, typename Act> static void pass(Engine& engine, Act act)
-    {
-        receive(engine);
-        act();
-        transmit(engine);
-        rest();
     }
 };
 

@@ -7,6 +7,8 @@
 
 #include "../../examples/boards/arduino_stream.cpp"
 
+#include "loop.hpp"
+
 namespace {
 
 std::deque<std::uint8_t> ring;
@@ -50,7 +52,7 @@ struct hurried_serial final : HardwareSerial {
     }
 };
 
-struct arduino_stream {
+struct arduino_stream : stand_in::loop_of_file {
     static constexpr auto timing = ::timing;
     static void open()
     {
@@ -62,13 +64,6 @@ struct arduino_stream {
         for (;;) {
             loop();
         }
-    }
-    template <typename Engine, typename Act> static void pass(Engine& engine, Act act)
-    {
-        receive(engine);
-        act();
-        transmit(engine);
-        delay(1);
     }
 };
 

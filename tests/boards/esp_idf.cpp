@@ -7,6 +7,8 @@
 
 #include "../../examples/boards/esp_idf.cpp"
 
+#include "loop.hpp"
+
 namespace {
 
 std::deque<std::uint8_t> ring;
@@ -35,7 +37,7 @@ void arrive(std::uint8_t byte, stand_in::arrival how)
     tell(how == arrival::parity ? UART_PARITY_ERR : how == arrival::framing ? UART_FRAME_ERR : UART_DATA);
 }
 
-struct esp_idf {
+struct esp_idf : stand_in::loop_of_file {
     static constexpr auto timing = line_timing::host(19'200, character_format::even_8_1);
     static void open()
     {
@@ -43,13 +45,6 @@ struct esp_idf {
         stand_in::line.on_last_bit = [] { stand_in::line.drive(false); };
     }
     static void run() { app_main(); }
-    template <typename Engine, typename Act> static void pass(Engine& link, Act act)
-    {
-        receive(link);
-        act();
-        transmit(link);
-        rest();
-    }
 };
 
 } // namespace

@@ -7,6 +7,8 @@
 
 #include "../../examples/boards/freertos.cpp"
 
+#include "loop.hpp"
+
 namespace {
 
 ARM_USART_SignalEvent_t on_event = nullptr;
@@ -34,7 +36,7 @@ void arrive(std::uint8_t byte, stand_in::arrival how)
     on_event(what);
 }
 
-struct freertos {
+struct freertos : stand_in::loop_of_file {
     static constexpr line_timing timing{19'200, character_format::even_8_1};
     static void open()
     {
@@ -42,13 +44,6 @@ struct freertos {
         stand_in::line.on_last_bit = [] { on_event(ARM_USART_EVENT_TX_COMPLETE); };
     }
     static void run() { modbus_task(nullptr); }
-    template <typename Engine, typename Act> static void pass(Engine& link, Act act)
-    {
-        receive(link);
-        act();
-        transmit(link);
-        rest();
-    }
 };
 
 } // namespace

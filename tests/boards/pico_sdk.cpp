@@ -9,6 +9,8 @@
 #include "../../examples/boards/pico_sdk.cpp"
 #undef main
 
+#include "loop.hpp"
+
 namespace {
 
 uart_hw_t registers{};
@@ -30,17 +32,10 @@ void arrive(std::uint8_t byte, stand_in::arrival how)
     }
 }
 
-struct pico_sdk {
+struct pico_sdk : stand_in::loop_of_file {
     static constexpr line_timing timing{19'200, character_format::even_8_1};
     static void open() { stand_in::line.on_byte = arrive; }
     static void run() { run_board(); }
-    template <typename Engine, typename Act> static void pass(Engine& link, Act act)
-    {
-        receive(link);
-        act();
-        transmit(link);
-        rest();
-    }
 };
 
 } // namespace

@@ -8,6 +8,8 @@
 
 #include "../../examples/boards/stm32_hal.cpp"
 
+#include "loop.hpp"
+
 namespace {
 
 USART_TypeDef usart{};
@@ -61,7 +63,7 @@ void arrive(std::uint8_t byte, stand_in::arrival how)
     interrupt();
 }
 
-struct stm32_hal {
+struct stm32_hal : stand_in::loop_of_file {
     static constexpr line_timing timing{19'200, character_format::even_8_1};
     static void open()
     {
@@ -75,13 +77,6 @@ struct stm32_hal {
         };
     }
     static void run() { run_modbus(); }
-    template <typename Engine, typename Act> static void pass(Engine& link, Act act)
-    {
-        receive(link);
-        act();
-        transmit(link);
-        rest();
-    }
 };
 
 } // namespace

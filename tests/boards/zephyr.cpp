@@ -9,6 +9,8 @@
 #include "../../examples/boards/zephyr.cpp"
 #undef main
 
+#include "loop.hpp"
+
 namespace {
 
 uart_irq_callback_user_data_t handler = nullptr;
@@ -49,7 +51,7 @@ void arrive(std::uint8_t byte, stand_in::arrival how)
     interrupt();
 }
 
-struct zephyr {
+struct zephyr : stand_in::loop_of_file {
     static constexpr line_timing timing{19'200, character_format::even_8_1};
     static void open()
     {
@@ -63,13 +65,6 @@ struct zephyr {
         stand_in::line.on_last_bit = sent;
     }
     static void run() { run_board(); }
-    template <typename Engine, typename Act> static void pass(Engine& link, Act act)
-    {
-        receive(link);
-        act();
-        transmit(link);
-        rest();
-    }
 };
 
 } // namespace
