@@ -22,17 +22,6 @@ std::atomic<bool> is_damaged{false};
 
 instant now() { return instant{static_cast<std::uint32_t>(micros())}; }
 
-void open_line()
-{
-    Serial1.begin(19'200, SERIAL_8E1, receive_pin, transmit_pin);
-    bool const is_half_duplex = Serial1.setPins(receive_pin, transmit_pin, -1, driver_enable) and
-                                Serial1.setMode(UART_MODE_RS485_HALF_DUPLEX) and Serial1.setRxFIFOFull(1);
-    if (not is_half_duplex) {
-        trouble = errc::device_setting_refused;
-    }
-    Serial1.onReceiveError([](hardwareSerial_error_t) { is_damaged = true; }); // in a task of the core's
-}
-
 /// What the core has kept is taken in each pass: where its buffer is full, it stops receiving until then.
 template <typename Engine> void receive(Engine& link)
 {
@@ -63,7 +52,16 @@ single_request ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}
 
 } // namespace
 
-void setup() { open_line(); }
+void setup()
+{
+    Serial1.begin(19'200, SERIAL_8E1, receive_pin, transmit_pin);
+    bool const is_half_duplex = Serial1.setPins(receive_pin, transmit_pin, -1, driver_enable) and
+                                Serial1.setMode(UART_MODE_RS485_HALF_DUPLEX) and Serial1.setRxFIFOFull(1);
+    if (not is_half_duplex) {
+        trouble = errc::device_setting_refused;
+    }
+    Serial1.onReceiveError([](hardwareSerial_error_t) { is_damaged = true; }); // in a task of the core's
+}
 
 void loop()
 {

@@ -23,13 +23,6 @@ Stream& port = Serial1;
 
 instant now() { return instant{static_cast<std::uint32_t>(micros())}; }
 
-void open_line()
-{
-    pinMode(driver_enable, OUTPUT);
-    digitalWrite(driver_enable, LOW);
-    Serial1.begin(19'200, SERIAL_8E1);
-}
-
 /// A port that has lost or refused bytes says nothing and goes on; the CRC finds what is missing.
 template <typename Engine> void receive(Engine& link)
 {
@@ -61,7 +54,12 @@ single_request ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}
 
 } // namespace
 
-void setup() { open_line(); }
+void setup()
+{
+    pinMode(driver_enable, OUTPUT);
+    digitalWrite(driver_enable, LOW);
+    Serial1.begin(19'200, SERIAL_8E1);
+}
 
 void loop()
 {

@@ -27,21 +27,6 @@ QueueHandle_t events = nullptr;
 /// Microseconds of 64 bits, cut: they wrap at 32 bits and nowhere else.
 instant now() { return instant{static_cast<std::uint32_t>(esp_timer_get_time())}; }
 
-void open_line()
-{
-    uart_config_t config{};
-    config.baud_rate = 19'200;
-    config.data_bits = UART_DATA_8_BITS;
-    config.parity = UART_PARITY_EVEN;
-    config.stop_bits = UART_STOP_BITS_1;
-    // No buffer for sending: a write returns when all is in the FIFO.
-    ESP_ERROR_CHECK(uart_driver_install(port, 512, 0, 16, &events, 0));
-    ESP_ERROR_CHECK(uart_param_config(port, &config));
-    ESP_ERROR_CHECK(uart_set_pin(port, transmit_pin, receive_pin, driver_enable, UART_PIN_NO_CHANGE));
-    ESP_ERROR_CHECK(uart_set_mode(port, UART_MODE_RS485_HALF_DUPLEX));
-    ESP_ERROR_CHECK(uart_set_rx_full_threshold(port, 1)); // bytes are passed on as they come
-}
-
 /// What the driver has kept is taken in each pass, whatever its events say: where its buffer is full, it stops receiving until then.
 template <typename Engine> void receive(Engine& link)
 {
@@ -81,7 +66,17 @@ void rest()
 
 extern "C" void app_main()
 {
-    open_line();
+    uart_config_t config{};
+    config.baud_rate = 19'200;
+    config.data_bits = UART_DATA_8_BITS;
+    config.parity = UART_PARITY_EVEN;
+    config.stop_bits = UART_STOP_BITS_1;
+    // No buffer for sending: a write returns when all is in the FIFO.
+    ESP_ERROR_CHECK(uart_driver_install(port, 512, 0, 16, &events, 0));
+    ESP_ERROR_CHECK(uart_param_config(port, &config));
+    ESP_ERROR_CHECK(uart_set_pin(port, transmit_pin, receive_pin, driver_enable, UART_PIN_NO_CHANGE));
+    ESP_ERROR_CHECK(uart_set_mode(port, UART_MODE_RS485_HALF_DUPLEX));
+    ESP_ERROR_CHECK(uart_set_rx_full_threshold(port, 1)); // bytes are passed on as they come
     // A task may run late by a tick: the times of a host.
     client link{line_timing::host(19'200, character_format::even_8_1)};
     single_request ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};

@@ -33,9 +33,8 @@ void listen() { Driver_USART1.Receive(&arrived, 1); }
 
 void on_uart(std::uint32_t what) // in the interrupt
 {
-    constexpr std::uint32_t damage = ARM_USART_EVENT_RX_OVERFLOW | ARM_USART_EVENT_RX_BREAK |
-                                     ARM_USART_EVENT_RX_FRAMING_ERROR | ARM_USART_EVENT_RX_PARITY_ERROR;
-    if ((what & damage) != 0) {
+    if ((what & (ARM_USART_EVENT_RX_OVERFLOW | ARM_USART_EVENT_RX_BREAK | ARM_USART_EVENT_RX_FRAMING_ERROR |
+                 ARM_USART_EVENT_RX_PARITY_ERROR)) != 0) {
         events.receive_error(now());
     } else if ((what & ARM_USART_EVENT_RECEIVE_COMPLETE) != 0) {
         events.receive(static_cast<std::byte>(arrived), now());
@@ -48,20 +47,6 @@ void on_uart(std::uint32_t what) // in the interrupt
     BaseType_t is_due = pdFALSE;
     vTaskNotifyGiveFromISR(task, &is_due);
     portYIELD_FROM_ISR(is_due);
-}
-
-void open_line()
-{
-    task = xTaskGetCurrentTaskHandle();
-    enable_driver(false);
-    configASSERT(Driver_USART1.GetCapabilities().event_tx_complete != 0); // without it the driver's end is not known
-    Driver_USART1.Initialize(on_uart);
-    Driver_USART1.PowerControl(ARM_POWER_FULL);
-    Driver_USART1.Control(ARM_USART_MODE_ASYNCHRONOUS | ARM_USART_DATA_BITS_8 | ARM_USART_PARITY_EVEN |
-                              ARM_USART_STOP_BITS_1 | ARM_USART_FLOW_CONTROL_NONE,
-                          19'200);
-    Driver_USART1.Control(ARM_USART_CONTROL_TX, 1);
-    Driver_USART1.Control(ARM_USART_CONTROL_RX, 1);
 }
 
 template <typename Engine> void receive(Engine& link)
@@ -90,7 +75,15 @@ void rest() { ulTaskNotifyTake(pdTRUE, 1); }
 
 extern "C" void modbus_task(void*)
 {
-    open_line();
+    task = xTaskGetCurrentTaskHandle();
+    enable_driver(false);
+    configASSERT(Driver_USART1.GetCapabilities().event_tx_complete != 0); // without it the driver's end is not known
+    Driver_USART1.Initialize(on_uart);
+    Driver_USART1.PowerControl(ARM_POWER_FULL);
+    Driver_USART1.Control(
+        ARM_USART_MODE_ASYNCHRONOUS | ARM_USART_DATA_BITS_8 | ARM_USART_PARITY_EVEN | ARM_USART_STOP_BITS_1, 19'200);
+    Driver_USART1.Control(ARM_USART_CONTROL_TX, 1);
+    Driver_USART1.Control(ARM_USART_CONTROL_RX, 1);
     client link{line_timing{19'200, character_format::even_8_1}};
     single_request ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};
     for (;;) {

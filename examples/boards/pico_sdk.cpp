@@ -38,21 +38,6 @@ void on_uart()
     }
 }
 
-void open_line()
-{
-    gpio_init(driver_enable);
-    gpio_set_dir(driver_enable, true);
-    gpio_put(driver_enable, false);
-    uart_init(uart1, 19'200);
-    uart_set_format(uart1, 8, 1, UART_PARITY_EVEN);
-    uart_set_fifo_enabled(uart1, false); // an interrupt for each byte, and its time
-    gpio_set_function(transmit_pin, GPIO_FUNC_UART);
-    gpio_set_function(receive_pin, GPIO_FUNC_UART);
-    irq_set_exclusive_handler(UART1_IRQ, on_uart);
-    irq_set_enabled(UART1_IRQ, true);
-    uart_set_irqs_enabled(uart1, true, false);
-}
-
 template <typename Engine> void receive(Engine& link)
 {
     instant const at = now();
@@ -78,7 +63,17 @@ void rest() { best_effort_wfe_or_timeout(make_timeout_time_us(1'000)); }
 
 int main()
 {
-    open_line();
+    gpio_init(driver_enable);
+    gpio_set_dir(driver_enable, true);
+    gpio_put(driver_enable, false);
+    uart_init(uart1, 19'200);
+    uart_set_format(uart1, 8, 1, UART_PARITY_EVEN);
+    uart_set_fifo_enabled(uart1, false); // an interrupt for each byte, and its time
+    gpio_set_function(transmit_pin, GPIO_FUNC_UART);
+    gpio_set_function(receive_pin, GPIO_FUNC_UART);
+    irq_set_exclusive_handler(UART1_IRQ, on_uart);
+    irq_set_enabled(UART1_IRQ, true);
+    uart_set_irqs_enabled(uart1, true, false);
     client link{line_timing{19'200, character_format::even_8_1}};
     single_request ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};
     for (;;) {

@@ -64,10 +64,8 @@ void rest()
 // A project that has one of these three already calls ours from its own, by another name.
 extern "C" void HAL_UART_RxCpltCallback(UART_HandleTypeDef* uart)
 {
-    if (uart == &huart1) {
-        if (uart->ErrorCode == HAL_UART_ERROR_NONE) { // else HAL_UART_ErrorCallback comes next
-            events.receive(static_cast<std::byte>(arrived), now());
-        }
+    if (uart == &huart1 and uart->ErrorCode == HAL_UART_ERROR_NONE) { // else HAL_UART_ErrorCallback comes next
+        events.receive(static_cast<std::byte>(arrived), now());
         listen();
     }
 }

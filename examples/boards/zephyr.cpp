@@ -27,48 +27,29 @@ std::atomic<bool> is_sending{false};
 /// Microseconds of 64 bits, cut: they wrap at 32 bits and nowhere else.
 instant now()
 {
-    auto const ticks = static_cast<std::uint64_t>(k_uptime_ticks());
-    return instant{static_cast<std::uint32_t>(k_ticks_to_us_floor64(ticks))};
+    return instant{static_cast<std::uint32_t>(k_ticks_to_us_floor64(static_cast<std::uint64_t>(k_uptime_ticks())))};
 }
 
-void go_on_sending()
+void on_uart(device const*, void*) // in the interrupt
 {
-    if (not rest_of_frame.empty() and uart_irq_tx_ready(uart) > 0) {
+    uart_irq_update(uart);
+    if (uart_err_check(uart) > 0) { // clears an overrun, too, which would stop the receiver
+        events.receive_error(now());
+    }
+    for (std::uint8_t byte = 0; uart_irq_rx_ready(uart) > 0 and uart_fifo_read(uart, &byte, 1) == 1;) {
+        events.receive(static_cast<std::byte>(byte), now());
+    }
+    if (is_sending and not rest_of_frame.empty() and uart_irq_tx_ready(uart) > 0) {
         auto const* const bytes = reinterpret_cast<std::uint8_t const*>(rest_of_frame.data());
         int const taken = uart_fifo_fill(uart, bytes, static_cast<int>(rest_of_frame.size()));
         rest_of_frame = rest_of_frame.subspan(taken > 0 ? static_cast<std::size_t>(taken) : 0);
-    } else if (rest_of_frame.empty() and uart_irq_tx_complete(uart) > 0) { // the last stop bit has left
+    } else if (is_sending and rest_of_frame.empty() and uart_irq_tx_complete(uart) > 0) { // the last stop bit has left
         uart_irq_tx_disable(uart);
         gpio_pin_set_dt(&driver_enable, 0);
-        is_sending.store(false, std::memory_order_release);
+        is_sending = false;
         events.sent(now());
     }
-}
-
-void on_uart(device const* from, void*)
-{
-    uart_irq_update(from);
-    bool const is_damaged = uart_err_check(from) > 0; // clears an overrun, too, which would stop the receiver
-    if (is_damaged) {
-        events.receive_error(now());
-    }
-    for (std::uint8_t byte = 0; uart_irq_rx_ready(from) > 0 and uart_fifo_read(from, &byte, 1) == 1;) {
-        if (not is_damaged) {
-            events.receive(static_cast<std::byte>(byte), now());
-        }
-    }
-    if (is_sending.load(std::memory_order_acquire)) {
-        go_on_sending();
-    }
     k_sem_give(&woken);
-}
-
-void open_line()
-{
-    gpio_pin_configure_dt(&driver_enable, GPIO_OUTPUT_INACTIVE);
-    uart_irq_callback_user_data_set(uart, on_uart, nullptr);
-    uart_irq_rx_enable(uart);
-    uart_irq_err_enable(uart);
 }
 
 template <typename Engine> void receive(Engine& link)
@@ -83,7 +64,7 @@ template <typename Engine> void transmit(Engine& link)
     if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
         rest_of_frame = frame;
         gpio_pin_set_dt(&driver_enable, 1);
-        is_sending.store(true, std::memory_order_release);
+        is_sending = true;
         uart_irq_tx_enable(uart);
     }
 }
@@ -95,7 +76,10 @@ void rest() { k_sem_take(&woken, K_USEC(1'000)); }
 
 int main()
 {
-    open_line();
+    gpio_pin_configure_dt(&driver_enable, GPIO_OUTPUT_INACTIVE);
+    uart_irq_callback_user_data_set(uart, on_uart, nullptr);
+    uart_irq_rx_enable(uart);
+    uart_irq_err_enable(uart);
     client link{line_timing{19'200, character_format::even_8_1}};
     single_request ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};
     for (;;) {

@@ -80,6 +80,12 @@ class Boards(unittest.TestCase):
     def test_there_are_some(self):
         self.assertGreaterEqual(len(BOARDS), 1)
 
+    def test_each_is_40_to_80_lines_to_copy(self):
+        for path in sorted((PROJECT / "examples/boards").glob("*.cpp")):
+            with self.subTest(path.stem):
+                lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip() and not line.lstrip().startswith("//")]
+                self.assertIn(len(lines), range(40, 81))
+
     def test_stand_ins_are_as_the_makers_headers(self):
         for board in BOARDS:
             with self.subTest(board):
