@@ -5,20 +5,8 @@
 #
 #   sh docs/line/build.sh OUTPUT_DIRECTORY
 set -eu
-[ $# -eq 1 ] || {
-    echo "usage: sh docs/line/build.sh OUTPUT_DIRECTORY" >&2
-    exit 2
-}
-mkdir -p "$1"
-output=$(CDPATH='' cd "$1" && pwd)
-CDPATH='' cd "$(dirname "$0")/../.."
-
-sh tests/packages.sh playground
-
-objects=build/line/objects
-rm -rf "$objects"
-mkdir -p "$objects"
-. docs/playground/compile.sh
+# shellcheck source=docs/playground/compile.sh
+. "$(dirname "$0")/../playground/compile.sh"
 
 tool=tools/rtuwire
 shared=docs/playground/module
@@ -27,13 +15,13 @@ compile_all $tool/catalog/all_catalogs.cpp docs/line/module/*.cpp $shared/explai
     $shared/wasm_support.cpp $tool/backup/saved_values.cpp $tool/catalog/drive_family.cpp $tool/catalog/named_values.cpp \
     $tool/catalog/rows_atv28.cpp $tool/words/amount_words.cpp $frame_sources
 # shellcheck disable=SC2046 # a list of words
-link_module "$objects/line.wasm" $(ls -r "$objects"/*.o)
+link_module $(ls -r "$objects"/*.o)
 
 page=docs/line/page
 shared=docs/playground/page
 # The worker is a text of the page: a page from a file can load no other.
 {
-    write_module_text "$objects/line.wasm"
+    write_module_text
     /usr/bin/python3 -B docs/line/rows.py
 } >"$objects/module.txt"
 cat "$page/module.js" "$page/ports.js" "$page/worker.js" | /usr/bin/python3 -c '
@@ -42,5 +30,3 @@ print("const workerText =", json.dumps(sys.stdin.read()) + ";")' >>"$objects/mod
 cat "$shared/style.css" "$page/style.css" >"$objects/style.css"
 cat "$shared/elements.js" "$shared/module.js" "$shared/fields.js" "$page/module.js" "$page/ports.js" "$page/main.js" >"$objects/scripts.txt"
 join_page "$page/page.html"
-mv "$objects/index.html" "$output/index.html"
-tell_size "$output/index.html" "$objects/line.wasm"

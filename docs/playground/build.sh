@@ -5,33 +5,19 @@
 #
 #   sh docs/playground/build.sh OUTPUT_DIRECTORY
 set -eu
-[ $# -eq 1 ] || {
-    echo "usage: sh docs/playground/build.sh OUTPUT_DIRECTORY" >&2
-    exit 2
-}
-mkdir -p "$1"
-output=$(CDPATH='' cd "$1" && pwd)
-CDPATH='' cd "$(dirname "$0")/../.."
-
-sh tests/packages.sh playground
-
-objects=build/playground/objects
-rm -rf "$objects"
-mkdir -p "$objects"
-. docs/playground/compile.sh
+# shellcheck source=docs/playground/compile.sh
+. "$(dirname "$0")/../playground/compile.sh"
 
 # shellcheck disable=SC2086 # a list of words
 compile_all docs/playground/module/drives.cpp docs/playground/module/[!d]*.cpp $frame_sources
 
 # The largest object comes last: 1 KB less; the others against the alphabet: 0.1 KB.
 # shellcheck disable=SC2010,SC2046 # a list of words
-link_module "$objects/playground.wasm" $(ls -r "$objects"/*.o | grep -v /drives) "$objects/drives.o"
+link_module $(ls -r "$objects"/*.o | grep -v /drives) "$objects/drives.o"
 
 page=docs/playground/page
-write_module_text "$objects/playground.wasm" >"$objects/module.txt"
+write_module_text >"$objects/module.txt"
 cp "$page/style.css" "$objects/style.css"
 cat "$page/elements.js" "$page/module.js" "$page/machine.js" "$page/curves.js" "$page/fields.js" "$page/line.js" "$page/scene.js" \
     "$page/announcer.js" "$page/main.js" >"$objects/scripts.txt"
 join_page "$page/page.html"
-mv "$objects/index.html" "$output/index.html"
-tell_size "$output/index.html" "$objects/playground.wasm"
