@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The smallest use: a request as bytes, a response as a value; the compiler has checked both already.
+// Lesson 1: a request as bytes and a response as a value, both checked by the compiler already. Nothing comes before
+// this lesson.
 #include <cstdio>
 
 #include <rtuwire/rtuwire.hpp>

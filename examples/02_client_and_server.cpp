@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Both ends in one program, without hardware: a client asks a server over a simulated line. The bench gives them
-// the bytes and the time; on a board the same client and server get them from a UART and a timer.
+// Lesson 2: a client asks a server: both ends in one program, without hardware. The bench gives them the bytes and the
+// time; on a board the same client and server get them from a UART and a timer. Builds on lesson 1.
 #include <cstdio>
 
 #include <rtuwire/rtuwire.hpp>

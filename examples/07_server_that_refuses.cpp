@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A server that looks before it writes, and acts after it. A check may refuse a value (exception 03) or say that the
-// device cannot do it now (exception 04); then nothing is written. An action is called after the write.
+// Lesson 7: a server that looks before it writes, and acts after it. A check may refuse a value (exception 03) or say
+// that the device cannot do it now (exception 04); then nothing is written. An action is called after the write. Builds
+// on lessons 5 and 6.
 #include <iostream>
 
 #include <rtuwire/client.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// One board that is two units of a line: an I/O module at 3 and a meter at 4, each with its own registers and its own
-// name. They have one UART, one framer and one frame's memory in common.
+// Lesson 8: one board that is two units of a line: an I/O module at 3 and a meter at 4, each with its own registers and
+// its own name. They have one UART, one framer and one frame's memory in common. Builds on lesson 2.
 #include <iostream>
 
 #include <rtuwire/client.hpp>

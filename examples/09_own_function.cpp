@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A function of one's own, at both ends: function 65 (hexadecimal 41) returns how often the device was started, and
-// resets it. Codes 65 to 72 and 100 to 110 are free for that.
+// Lesson 9: a function of your own, at both ends: function 65 (hexadecimal 41) returns how often the device was
+// started, and resets it. Codes 65 to 72 and 100 to 110 are free for that. Builds on lessons 1 and 2.
 #include <cstdio>
 #include <optional>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Who is it, and how is its line? Function 43/14 gives a device's name, function 08 its counters. Both at a server whose
-// end is in this program.
+// Lesson 10: who is it, and how is its line? Function 43/14 gives a device's name, function 08 its counters. Both are
+// asked of a server in this program. Builds on lesson 2.
 #include <iostream>
 #include <string>
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The loop of a firmware: several conversations over one client, each asked again and again in its own time, and sleep
-// in between. The board below is simulated, with a drive at the other end of its line; on a real one `send` starts the
-// transmitter, interrupts fill the queue, and `sleep_until` waits for one of them or for the timer.
+// Lesson 11: the loop of a firmware: several conversations over one client, each begun again and again in its own time,
+// and sleep in between. The board below is simulated, with a drive at the other end of its line; on a real one `send`
+// starts the transmitter, interrupts fill the queue, and `sleep_until` waits for one of them or for the timer. Builds
+// on lesson 3.
 #include <cstdio>
 
 #include <rtuwire/altivar/atv320.hpp>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A motor is started and stopped, and each order says how it ended: done, refused, in fault, local, no response. Nothing
-// else has to be asked to know whether the motor turns. The drive is simulated, so it can be disturbed. At the end stands
-// what a program leaves, and how the next one begins.
+// Lesson 12: a motor is started and stopped, and each order says how it ended: done, refused, in fault, local, no
+// response. Nothing else has to be asked to know whether the motor turns. The drive is simulated, so it can be
+// disturbed. The end shows what a program leaves behind, and how the next one begins. Builds on lesson 3.
 #include <iostream>
 
 #include <rtuwire/altivar/atv320.hpp>

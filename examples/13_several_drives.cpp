@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Three drives on one line, each with conversations of its own, in the slots of a bus. They take turns request by
-// request; a drive that is off costs the others little of the line's time.
+// Lesson 13: three drives on one line, each with conversations of its own, in the slots of a bus. They take turns
+// request by request; a drive that is off costs the others little of the line's time. Builds on lessons 3 and 11.
 #include <iostream>
 
 #include <rtuwire/altivar/atv12.hpp>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What comes before the first order: the channels are set, the drive is checked, a setting goes to all drives, and
-// somebody else's drive is watched. An ATV28's link is released. The drives are simulated.
+// Lesson 14: what comes before the first order: the channels are set, the drive is checked, a setting goes to all
+// drives, and somebody else's drive is watched. An ATV28's link is released. The drives are simulated. Builds on lesson
+// 12.
 #include <iostream>
 
 #include <rtuwire/print.hpp>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// An energy meter on the line of a drive, polled by the same bus: 40 registers of four kinds, as rows. Floating point numbers
-// and wide counters, values by name, relays and contacts; a text and a power whose decimal scale another register holds are
-// objects. Both units are simulated here.
+// Lesson 15: an energy meter on the line of a drive, polled by the same bus: 40 registers of four kinds, as rows.
+// Floating point numbers and wide counters, values by name, relays and contacts; a text and a power whose decimal scale
+// another register holds are objects. Both units are simulated here. Builds on lessons 6 and 13.
 #include <iostream>
 
 #include <rtuwire/altivar/atv320.hpp>

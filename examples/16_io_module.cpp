@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// An I/O module on the line of a drive, polled by the same bus: coils, discrete inputs and values by
-// name as rows, and a word of several fields. A closed contact stops the drive. Both units are simulated here.
+// Lesson 16: an I/O module on the line of a drive, polled by the same bus: coils, discrete inputs and values by name as
+// rows, and a word of several fields. Where a contact changes, two outputs are switched by one request. Both units are
+// simulated here. Builds on lessons 6 and 15.
 #include <iostream>
 
 #include <rtuwire/altivar/atv320.hpp>

@@ -3,7 +3,7 @@
 """The pages as Doxygen reads them. A page in the repository is plain Markdown that a git host shows, too; here it gets names for
 its headings, its links lead to pages of the site, and its marks are replaced:
 
-    <!-- snippet: examples/04_poll_a_drive.cpp plan -->   the region of that name stands in the block of code behind it
+    <!-- snippet: examples/03_poll_a_drive.cpp plan -->   the region of that name stands in the block of code behind it
     <!-- generated: registers atv320 -->                   what the build makes; a line `> On the site...` behind it, which a git
                                                            host shows instead, is left out
     <!-- table: limits atv320 -->                          what the build makes stands behind it (tables_in_pages.py)

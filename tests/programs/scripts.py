@@ -32,7 +32,7 @@ def trial(project):
         (pathlib.Path(elsewhere) / "examples").mkdir()
         done = subprocess.run(["sh", "examples/run.sh"], cwd=project, env={**os.environ, "CDPATH": elsewhere}, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-    is_right = done.returncode == NO_EXAMPLE and "\n    04_poll_a_drive\n" in done.stdout
+    is_right = done.returncode == NO_EXAMPLE and "\n    03_poll_a_drive\n" in done.stdout
     return "" if is_right else f"examples/run.sh: status {done.returncode}: {done.stdout}"
 
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A drive is polled, and its values are printed with their units. A plan names the registers; the library makes as few
-// requests of it as the drive allows. The drive is a bank of its registers at the other end of a simulated line.
+// Lesson 3: a drive is polled, and its values are printed with their units. A plan names the registers; the library
+// makes as few requests of it as the drive allows. The drive is a bank of its registers at the other end of a simulated
+// line. Builds on lesson 2.
 #include <iostream>
 
 #include <rtuwire/altivar/atv12.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A number from a panel, a file or a network is written to a drive. Give it its unit and pass it through `checked`: what
-// does not fit its register is refused with the reason, and no frame leaves.
+// Lesson 5: a number from a panel, a file or a network is written to a drive. Give it its unit and pass it through
+// `checked`: what does not fit its register is refused with the reason, and no frame leaves. Builds on lessons 3 and 4.
 #include <iostream>
 
 #include <rtuwire/altivar/atv12.hpp>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// To compute with values. An amount has a unit and a step (tenths of a hertz, whole volts); the library converts steps,
-// and refuses to compare hertz with amperes when it compiles. There is no floating point in it.
+// Lesson 4: to compute with values. An amount has a unit and a step (tenths of a hertz, whole volts); the library
+// converts steps, and refuses to compare hertz with amperes when it compiles. There is no floating point in it. Builds
+// on lesson 3.
 #include <iostream>
 #include <string>
 
@@ -41,7 +42,7 @@ int main()
     wrong += speed < limit and limit == decihertz{500} and signed_decihertz{-1} < decihertz{0} ? 0 : 1;
 
     // What does not fit is never cut: 7000.0 Hz is no number of tenths in 16 bits. Whether an amount of another program
-    // fits is asked when it runs, see 06_write_at_run_time.
+    // fits is asked when it runs, see 05_write_at_run_time.
     // decihertz const top = 7000_Hz;     // does not compile: this_amount_does_not_fit_the_target
     // bool const odd = speed > 3_A;      // does not compile: these two measure different things
     show("to whole hertz, cut off", truncated_to<hertz>(speed), "48 Hz");
