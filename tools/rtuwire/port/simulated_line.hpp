@@ -163,9 +163,12 @@ public:
         if (not bytes) {
             return bytes.error();
         }
-        // Nothing came until then; whatever came since is read in the next pass, however late that is.
+        // Nothing came until then; whatever came since is read in the next pass, however late that is. A port may come back
+        // before, as where a client has come.
         bool const is_damaged = has_receive_error();
-        rtuwire::instant const now = bytes->empty() and not is_damaged ? *until : port_.now();
+        rtuwire::instant const seen = port_.now();
+        bool const is_late = bytes->empty() and not is_damaged and reached(seen, *until);
+        rtuwire::instant const now = is_late ? *until : seen;
         // An hour in which the program was stopped looks as if the time had gone back, but by more than a pass takes.
         bool const goes_back = last_ - now < rtuwire::milliseconds(10'000);
         last_ = goes_back ? last_ : now;
