@@ -15,6 +15,7 @@ from defective_servers import SCRATCH, SCRATCH_COILS, UNIT, Server
 from defective_servers import Line as ServedLine
 from support import DIFFERS, DONE, LIMIT, REFUSED, USAGE, Simulator, Tool, Units, crc, runs, soon
 
+from pair import free_port, wait_for_listener  # noqa: I100
 from simulator import Registers, asked, pymodbus_on  # noqa: I100
 
 QUICK = ("--timeout", 0.3, "--no-listen")  # long enough on a busy machine
@@ -133,6 +134,18 @@ def check_supervision(check, tool_path):
                   f"a time-out of {seconds} s, of what may be a drive", ended)
         rows = {row["clause"]: (row["verdict"], row["why"]) for row in ended.objects()}
         check(rows["L07"][0] == "holds" and rows["F03.10"][0] == "not tried" and "may be 7 s" in rows["F03.10"][1], "and it says so", rows)
+
+
+def check_unit_without_function_3(check, tool_path):
+    """As meters are whose registers are all input registers: on a line, and over Modbus TCP."""
+    number = free_port()
+    with Tool(tool_path) as tool, tool.start("simulate", "sdm630:1", port=f"mbap://127.0.0.1:{number}") as drives:
+        wait_for_listener(number)
+        for port, only in (("sim:sdm630:1", "L15,L34,L35"), (f"mbap://127.0.0.1:{number}", "L01,F04.1,T05")):
+            ended = tool.run("-u", 1, "--json", "check", "--only", only, port=port)
+            check(ended.status == DONE and not [row for row in ended.objects() if row["verdict"] == "fails"],
+                  f"{only} of a unit without function 3 at {port}", ended)
+        drives.kill()
 
 
 METER = """
@@ -254,6 +267,7 @@ def main(check, tool_path):
     check_drive(check, tool_path)
     check_supervision(check, tool_path)
     check_meters(check, tool_path)
+    check_unit_without_function_3(check, tool_path)
     check_noise(check, tool_path)
     check_what_is_needed(check, tool_path)
     check_changes(check, tool_path)
