@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <optional>
 
@@ -21,8 +22,8 @@ judgement fails(std::string why) { return {.how = verdict::fails, .why = std::mo
 
 std::string ms_text(line_time time)
 {
-    auto const tenths = (time.count() + 50) / 100;
-    return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " ms";
+    auto const tenths = (std::abs(time.count()) + 50) / 100;
+    return (time.count() < 0 ? "-" : "") + std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " ms";
 }
 
 std::vector<sent_piece> as_piece(line_bytes const& frame) { return {sent_piece{.bytes = frame}}; }
@@ -427,6 +428,9 @@ private:
         for (unsigned i = 0; i < 20; ++i) {
             line_answer const answer = unit_.ask("READ", which_.id);
             smallest = answer.bytes.empty() ? smallest : std::min(smallest, answer.took);
+        }
+        if (smallest < line_time{0}) {
+            return {verdict::does_not_apply, "answers begin before their requests can have ended: this is no wire", {}};
         }
         return smallest >= least
                    ? judgement{}
