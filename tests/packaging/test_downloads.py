@@ -27,8 +27,8 @@ TERMS = {"libcli11": "Redistribution and use", "nlohmann-json3": "Permission is 
 TERMS_OF_LINUX = {"libc6": "GNU Lesser General Public", "libstdc++": "GCC Runtime Library Exception",
                   "libyaml-cpp": "Permission is hereby granted"}
 TERMS_OF_WINDOWS = {"mingw-w64-common": "Permission is hereby granted", "gcc-mingw": "GCC Runtime Library Exception"}
-# What each Windows brings.
-LIBRARIES_OF_WINDOWS = {"kernel32.dll", "msvcrt.dll", "ws2_32.dll", "advapi32.dll", "shell32.dll", "user32.dll", "setupapi.dll"}
+# What each Windows brings. With user32.dll a program would hear of no log-off, which has to stop a motor.
+LIBRARIES_OF_WINDOWS = {"kernel32.dll", "msvcrt.dll", "ws2_32.dll", "advapi32.dll"}
 
 
 class Unpacked(InAFolder):
@@ -80,6 +80,11 @@ class OfAny:
         self.assertIn(version(), self.said("--version"))
         self.assertRegex(self.said(*SCAN), r"(?m)^.*\b7\b.*ATV320")
         self.assertRegex(self.said(*READ), r"RFR.*Hz")
+
+    def test_its_readme_begins_with_values_of_simulated_devices(self):
+        begun = re.findall(r"^    bin[/\\]rtuwire(?:\.exe)? (-p sim:.*?)  ", self.text("README.txt"), re.MULTILINE)
+        for words, what in zip(begun, (r"RFR.* Hz", r"voltage_l1.* V"), strict=True):
+            self.assertRegex(self.said(*words.split()), what)
 
     def test_it_finds_the_register_files_from_its_own_place(self):
         self.assertEqual({path.name for path in (self.folder / "share/rtuwire/devices").iterdir()},
