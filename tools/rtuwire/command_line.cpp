@@ -268,7 +268,7 @@ exit_status show(CLI::App const& app, CLI::ParseError const& what)
 {
     std::ostringstream text;
     app.exit(what, text);
-    return print(with_own_port(text.str()));
+    return print(with_own_words(text.str()));
 }
 
 /// The whole command, behind the complaint that something is missing; empty behind another.
@@ -375,7 +375,7 @@ parsed parse(int argc, char** argv)
     chosen.line.typed = typed_in(app, argc > 0 ? argv[0] : "");
     for (std::string const& each : chosen.words) {
         bool const is_port = each.starts_with("sim:") or each.starts_with("tcp://") or each.starts_with("mbap://") or
-                             each.starts_with("/dev/");
+                             each.starts_with("/dev/") or is_port_name(each);
         chosen.line.typed.stray_port = is_port ? each : chosen.line.typed.stray_port;
     }
     if (chosen.command == "completion" or chosen.command == "man") {

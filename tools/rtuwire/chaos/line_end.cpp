@@ -23,7 +23,8 @@ line_end::line_end(side whose, std::string const& word, line_choices const& chos
     if (word == "pty") {
         auto& made = port_.emplace<own_terminal>();
         if (not made.open()) {
-            throw ended{exit_status::port, option + " pty: " + no_terminal_text};
+            std::string const listening = whose == side::client ? ", or tcp://127.0.0.1:4001 to listen there" : "";
+            throw ended{exit_status::port, option + " pty: " + no_terminal_text(option + " COM3" + listening)};
         }
         device_ = made.path();
         return;

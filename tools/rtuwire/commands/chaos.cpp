@@ -19,6 +19,7 @@
 #include "line/time_text.hpp"
 #include "output/output.hpp"
 #include "output/passing_text.hpp"
+#include "port/own_terminal.hpp"
 
 namespace tool {
 
@@ -76,8 +77,9 @@ void check_words(choices const& typed)
         refuse_word("-o -: the figures go to standard output; say a file");
     }
     if (chosen.from.empty() or chosen.to.empty()) {
-        refuse_word(std::string{"chaos: between which ports? say "} +
-                    (chosen.from.empty() ? "--from with the port on which the client asks, or --from pty for a new one"
+        refuse_word("chaos: between which ports? say " +
+                    (chosen.from.empty() ? std::string{"--from with the port on which the client asks, or --from "} +
+                                               new_client_port + " for a new one"
                                          : "--to with the port on which the server answers"));
     }
     if (chosen.from == chosen.to and chosen.from != "pty") {

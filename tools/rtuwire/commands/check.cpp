@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/platform.hpp"
 #include "check/checked_client.hpp"
 #include "check/checked_unit.hpp"
 #include "check/profile.hpp"
@@ -252,7 +253,8 @@ exit_status check_client(choices const& chosen)
     exchange_log::open_file(chosen.line);
     served_port port{chosen.line.port, serial_settings_in(chosen.line, setting)};
     if (port.is_device() and how.client_port.empty() and not chosen.words.empty()) {
-        refuse_word("--port " + chosen.line.port + ": which port does the client open? say --client-port /dev/ttyUSB1");
+        refuse_word(with_own_words("--port " + chosen.line.port +
+                                   ": which port does the client open? say --client-port /dev/ttyUSB1"));
     }
     any_port const no_port; // whose frames are shown as they are
     exchange_log log = exchange_log::of(chosen.line, setting, no_port);

@@ -176,7 +176,7 @@ exit_status serve_on_pseudo_terminal(choices const& chosen, std::vector<simulate
     auto const set = setting_in(chosen.line);
     own_terminal port;
     if (not port.open()) {
-        throw ended{exit_status::port, no_terminal_text};
+        throw ended{exit_status::port, no_terminal_text("-p COM3, or -p mbap://127.0.0.1:1502 to listen there")};
     }
     // A pseudo-terminal is no wire: nothing delays its bytes inside a frame, and nothing has to be silent before a
     // response.

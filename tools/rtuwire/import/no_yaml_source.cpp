@@ -9,9 +9,9 @@ namespace tool {
 
 source_value yaml_source(std::string const& file, std::string const&)
 {
-    refuse_word(file +
-                ": neither JSON nor TOML, and YAML (ESPHome, Home Assistant) is not in this build; the one for Linux "
-                "imports it, and its register file is for both");
+    refuse_word(file + ": this program imports no YAML, such as that of ESPHome and Home Assistant: only JSON "
+                       "(wb-mqtt-serial, SunSpec) and TOML (inputs.modbus of Telegraf). The one for Linux imports it, "
+                       "and its register file is for both");
 }
 
 } // namespace tool

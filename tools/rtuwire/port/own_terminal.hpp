@@ -39,9 +39,14 @@ private:
     std::string path_{};
 };
 
-constexpr char const* no_terminal_text =
-    "Windows has no pseudo-terminals; a port is named here: COM3, or an address to "
-    "listen at, such as mbap://127.0.0.1:1502";
+/// `instead`: what to say on Windows.
+inline std::string no_terminal_text(std::string const& instead)
+{
+    return "Windows has no pseudo-terminals; say " + instead;
+}
+
+/// A port that is made for a client.
+constexpr char const* new_client_port = "tcp://127.0.0.1:4001";
 
 inline bool is_pseudo_terminal(std::string const&) { return false; }
 inline void set_unusual_rate(std::string const&) {}
@@ -50,7 +55,9 @@ inline void set_unusual_rate(std::string const&) {}
 
 using own_terminal = rtuwire::pseudo_terminal;
 
-constexpr char const* no_terminal_text = "no pseudo-terminal to be had";
+inline std::string no_terminal_text(std::string const&) { return "no pseudo-terminal to be had"; }
+
+constexpr char const* new_client_port = "pty";
 
 /// Whether a device is one, through links.
 inline bool is_pseudo_terminal(std::string const& path)

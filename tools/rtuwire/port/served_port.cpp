@@ -88,7 +88,7 @@ void served_port::open_pseudo_terminal()
 {
     auto& port = port_.emplace<own_terminal>();
     if (not port.open()) {
-        throw ended{exit_status::port, no_terminal_text};
+        throw ended{exit_status::port, no_terminal_text("-p COM3, or -p tcp://127.0.0.1:4001 to listen there")};
     }
     name_ = port.path();
     set_unusual_rate(name_);

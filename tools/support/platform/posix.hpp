@@ -271,8 +271,8 @@ inline bool is_port_name(std::string_view) noexcept { return false; }
 /// What a serial port is called here.
 constexpr char const* example_port = "/dev/ttyUSB0";
 
-/// A text for people whose examples are those of this system.
-inline std::string with_own_port(std::string text) { return text; }
+/// A text for people whose examples are those of this system: its ports, and words as its shells take them.
+inline std::string with_own_words(std::string text) { return text; }
 
 /// A word as a shell takes it.
 inline std::string quoted(std::string const& word)

@@ -470,11 +470,24 @@ inline bool is_port_name(std::string_view word) noexcept
 
 constexpr char const* example_port = "COM3";
 
-inline std::string with_own_port(std::string text)
+inline std::string with_own_words(std::string text)
 {
-    constexpr std::string_view other = "/dev/ttyUSB0";
-    for (std::size_t at = text.find(other); at != text.npos; at = text.find(other, at)) {
-        text.replace(at, other.size(), example_port);
+    struct own_word {
+        std::string_view other, own;
+    };
+    // "DP*" and group: are the same to cmd and to PowerShell.
+    constexpr own_word all[]{{"/dev/ttyUSB0", example_port},
+                             {"/dev/ttyUSB1", "COM4"},
+                             {"/dev/pts/4", "COM4"},
+                             {"--from pty", "--from tcp://127.0.0.1:4001"},
+                             {"rtuwire simulate", "rtuwire -p mbap://127.0.0.1:1502 simulate"},
+                             {"'DP*'", "\"DP*\""},
+                             {"'*'", "\"*\""},
+                             {" @monitor 3202", " group:monitor 3202"}};
+    for (auto const& [other, own] : all) {
+        for (std::size_t at = text.find(other); at != text.npos; at = text.find(other, at + own.size())) {
+            text.replace(at, other.size(), own);
+        }
     }
     return text;
 }
