@@ -19,5 +19,5 @@ page=docs/playground/page
 write_module_text >"$objects/module.txt"
 cp "$page/style.css" "$objects/style.css"
 cat "$page/elements.js" "$page/module.js" "$page/machine.js" "$page/curves.js" "$page/fields.js" "$page/line.js" "$page/scene.js" \
-    "$page/announcer.js" "$page/main.js" >"$objects/scripts.txt"
+    "$page/announcer.js" "$page/states.js" "$page/main.js" >"$objects/scripts.txt"
 join_page "$page/page.html"

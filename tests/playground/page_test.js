@@ -10,20 +10,22 @@ const path = require("node:path");
 const { pathToFileURL } = require("node:url");
 const { chromium } = require("playwright-core");
 
+const { namedStates, readState, writeState } = require("../../docs/playground/page/states.js");
+
 const [page_file, shots] = process.argv.slice(2);
 const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
   "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage"];
 const patience = 120000; // of a busy machine, in ms
 const axe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
-async function open(browser, options) {
+async function open(browser, options, state = "") {
   const page = await (await browser.newContext(options)).newPage();
   page.setDefaultTimeout(patience);
   page.problems = [];
   page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
   page.on("pageerror", (problem) => page.problems.push(String(problem)));
   page.on("request", (request) => request.url().startsWith("file:") || request.url().startsWith("data:") || page.problems.push(`asks for ${request.url()}`));
-  await page.goto(pathToFileURL(path.resolve(page_file)).href);
+  await page.goto(pathToFileURL(path.resolve(page_file)).href + state);
   await page.waitForSelector("html[data-ready=yes]");
   return page;
 }
@@ -437,7 +439,82 @@ async function eachDrive(page) {
   }
 }
 
+/// An address is read as it was written, and one that is wrong is refused as a whole.
+function readAddresses() {
+  const drives = ["atv12", "atv320"];
+  const acts = [[500000, "power", "1"], [1000001, "start", "-2,5 é;:="], [1000001, "key", ""]];
+  const text = writeState("atv12", acts, 6400000);
+  assert.deepEqual(readState(text, drives), { drive: 0, acts, time: 6400000 });
+  assert.deepEqual(readState("atv320", drives), { drive: 1, acts: [], time: 0 });
+  for (const name of Object.keys(namedStates)) assert.ok(readState(name, drives).acts.length > 0, name);
+  assert.equal(writeState("atv12", Array(201).fill(acts[0]), 1), "");
+  for (const [wrong, said] of [["", /neither a type of drive/], ["atv99;1", /neither a type of drive/], ["toString", /neither/], ["atv12;1:fly;2", /no act "fly"/],
+    ["atv12;1:power=1", /not a time with an act/], ["atv12;2:power=1;1", /before the one ahead/], ["atv12;9999", /above 3600/], ["atv12;1;2", /not a time/],
+    ["atv12;-1", /not a time/], ["atv12;1:start=%;2", /URI/], [`atv12;${"1:key;".repeat(300)}2`, /200 are done at most/]]) {
+    assert.throws(() => readState(wrong, drives), said, wrong);
+  }
+}
+
+/// What somebody saw, another sees by its address: the same orders at the same times, with the same ends.
+async function shareState(browser) {
+  const first = await open(browser, { viewport: { width: 1400, height: 900 } });
+  await first.click("#pause");
+  await first.selectOption("#drive", { label: "ATV12" });
+  await first.click("#mains");
+  await wait(first, 1);
+  await first.fill("#hertz", "20");
+  await first.click("#start");
+  await wait(first, 6);
+  await first.check("#cable input[value='3']");
+  await wait(first, 1);
+  const shown = async (page) => Promise.all(["p-name", "p-state", "p-fault", "p-motor"].map((id) => text(page, id)).concat(page.innerText("#orders")));
+  const before = await shown(first);
+  await first.click("#share");
+  await first.waitForFunction(() => document.getElementById("shared").textContent !== "");
+  assert.match(await text(first, "shared"), /^(Copied|The address of this state stands above)/);
+  const state = await first.evaluate(() => location.hash);
+  assert.match(state, /^#atv12;.*:power=1;.*:start=20;.*:cable=3;[\d.]+$/);
+  const second = await open(browser, { viewport: { width: 1400, height: 900 } }, state);
+  await second.click("#pause");
+  assert.deepEqual((await shown(second)).map((each) => each.replace(/under way.*/, "")), before.map((each) => each.replace(/under way.*/, "")));
+  assert.ok(await second.isChecked("#cable input[value='3']"));
+  assert.equal(await second.inputValue("#hertz"), "20");
+
+  // A state by its name, on a page that is open; it goes on from there.
+  await second.evaluate(() => { location.hash = "#cut-cable-while-running"; });
+  await second.waitForFunction(() => document.getElementById("p-name").textContent === "ATV320");
+  assert.ok(await second.isChecked("#cable input[value='1']"));
+  assert.equal(await text(second, "p-motor"), "turns forward");
+  await wait(second, 12);
+  assert.match(await text(second, "p-fault"), /SLF1/);
+  await stands(second);
+
+  // An address that is wrong is told, and the page is a fresh one.
+  await second.evaluate(() => { location.hash = "#atv12;1:power=1;2:fly;3"; });
+  await second.waitForFunction(() => document.getElementById("shared").textContent.includes('there is no act "fly"'));
+  assert.equal(await text(second, "p-state"), "off");
+  for (const page of [first, second]) assert.deepEqual(page.problems, []);
+}
+
+/// In a frame of another page: what the line does, its orders and its cable, and a way to the rest with the same state.
+async function openSmall(browser) {
+  for (const [width, most] of [[1130, 470], [362, 720]]) {
+    const page = await open(browser, { viewport: { width, height: most } }, "?small#running");
+    assert.equal(await text(page, "p-motor"), "turns forward");
+    await page.check("#cable input[value='1']");
+    await page.click("#pause");
+    const high = await page.evaluate(() => document.documentElement.scrollHeight);
+    assert.ok(high <= most, `a frame of ${width} pixels is ${high} high`);
+    await page.focus("#whole");
+    assert.match(await page.getAttribute("#whole", "href"), /^index\.html#atv320;0\.5:power=1;1:start=30;.*:cable=1;/);
+    await checkAxe(page, `in a frame of ${width} pixels`);
+    await shot(page, `small-${width}`);
+    assert.deepEqual(page.problems, []);
+  }
+}
+
 async function main() {
+  readAddresses();
   fs.mkdirSync(shots, { recursive: true });
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags, timeout: patience });
   try {
@@ -468,6 +545,8 @@ async function main() {
     await comeBack(page);
     assert.deepEqual(page.problems, []);
 
+    await shareState(browser);
+    await openSmall(browser);
     await openWithoutScripts(browser);
     const dark = await open(browser, { viewport: { width: 390, height: 844 }, colorScheme: "dark", reducedMotion: "reduce", hasTouch: true });
     await start(dark);

@@ -73,12 +73,12 @@ class LogView {
 }
 
 class DecodeView {
-  constructor(engine, announcer) {
+  constructor(engine, announcer, send) {
     this.engine = engine;
     byId("bytes").addEventListener("input", () => { byId("example").value = ""; this.show(); });
     byId("offer").addEventListener("click", () => { byId("bytes").value = this.offer; this.show(); byId("bytes").focus(); });
     byId("send").addEventListener("click", () => {
-      const isTaken = this.engine.send(byId("bytes").value);
+      const isTaken = send(byId("bytes").value);
       setText("sent", isTaken ? "Your bytes leave as soon as the line is free." : "Not sent: your bytes before these still wait for a free line.");
       announcer.say(byId("sent").textContent);
       announcer.announce();

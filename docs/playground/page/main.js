@@ -3,6 +3,10 @@
 // Joins the parts: time, controls, views.
 "use strict";
 
+/// A frame of another page shows the line, the orders and what happens, and leads to all the rest.
+const isSmall = new URLSearchParams(location.search).has("small");
+document.documentElement.classList.toggle("small", isSmall);
+
 /// The page is seen before the module is made.
 requestAnimationFrame(() => setTimeout(async () => {
   let engine;
@@ -13,8 +17,8 @@ requestAnimationFrame(() => setTimeout(async () => {
     return;
   }
   const machine = new MachineView(), curves = new CurvesView(), scene = new SceneView(), announcer = new Announcer();
-  const log = new LogView(engine), decode = new DecodeView(engine, announcer);
-  let isPaused = false, speed = 1, last = null, owed = 0;
+  const log = new LogView(engine), decode = new DecodeView(engine, announcer, (bytes) => act("send", bytes));
+  let isPaused = false, speed = 1, last = null, owed = 0, done = [];
 
   function show() {
     const state = engine.state();
@@ -71,6 +75,26 @@ requestAnimationFrame(() => setTimeout(async () => {
     } catch (problem) { trapped(problem); }
   }
 
+  /// What a person can do to drive, client and line, by the names that an address has for it.
+  const acts = {
+    power: (value) => engine.mains(value === "1"),
+    fault: (value) => engine.fault(value === "1"),
+    local: (value) => engine.local(value === "1"),
+    key: () => engine.stopKey(),
+    supervised: (value) => engine.supervised(value === "1"),
+    start: (value) => engine.start(value),
+    change: (value) => engine.change(value),
+    stop: (value) => engine.stop(Number(value)),
+    reset: () => engine.reset(),
+    cable: (value) => engine.cable(Number(value)),
+    send: (value) => engine.send(value),
+  };
+  function act(name, value = "") {
+    const text = typeof value === "boolean" ? String(Number(value)) : String(value);
+    done.push([engine.state().time, name, text]);
+    return acts[name](text);
+  }
+
   /// Something a person does; shown at once, even while time stands.
   const on = (id, event, act) => byId(id).addEventListener(event, (how) => { act(how); show(); });
   const press = (id, isOn) => byId(id).setAttribute("aria-pressed", String(isOn));
@@ -95,6 +119,8 @@ requestAnimationFrame(() => setTimeout(async () => {
 
   function open(index) {
     engine.open(index);
+    done = [];
+    byId("drive").value = String(index);
     document.querySelector("input[name=cable][value='0']").checked = true;
     const drive = engine.describe();
     setText("p-name", drive.name.toUpperCase().replace("_", " "));
@@ -106,39 +132,76 @@ requestAnimationFrame(() => setTimeout(async () => {
     show();
   }
 
+  /// Lets time pass; the last of it is seen in the curves.
+  function pass(microseconds, note) {
+    const step = 20000, unseen = Math.max(0, microseconds - curveSpan);
+    if (unseen > 0) engine.run(unseen);
+    for (let left = microseconds - unseen; left > 0; left -= step) {
+      engine.run(Math.min(left, step));
+      note(engine.state());
+    }
+  }
+
+  /// The state that the address has, or the first one; an address that is wrong is told, and nothing of it done.
+  function openAddress() {
+    let state = { drive: engine.drives().length - 1, acts: [], time: 0 };
+    setText("shared", "");
+    try {
+      if (location.hash.length > 1) state = readState(location.hash.slice(1), engine.drives());
+    } catch (problem) { setText("shared", `The address has no state that this page can open: ${problem.message}.`); }
+    open(state.drive);
+    const until = (time) => pass(time - engine.state().time, (each) => curves.note(each));
+    for (const [time, name, value] of state.acts) {
+      until(time);
+      act(name, value);
+      if (["start", "change"].includes(name)) { byId("hertz").value = value; followTyped(); }
+      if (name === "stop") byId("how").value = value;
+      if (name === "cable") for (const each of document.querySelectorAll("input[name=cable]")) each.checked = each.value === value;
+    }
+    until(state.time);
+    show();
+  }
+
+  /// The address of what is seen now, into the clipboard; where that is refused it stands above the page.
+  async function share() {
+    const text = writeState(engine.drives()[Number(byId("drive").value)], done, engine.state().time);
+    if (text === "") {
+      setText("shared", "Too much has happened for an address: open a drive anew.");
+      return;
+    }
+    history.replaceState(null, "", `#${text}`);
+    const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+    setText("shared", copied ? "Copied. Whoever opens this address sees the same." : "The address of this state stands above the page: copy it there.");
+  }
+
   restoreInputs();
   byId("drive").replaceChildren(...engine.drives().map((name, at) => make("option", { value: at }, name.toUpperCase().replace("_", " "))));
-  byId("drive").value = String(engine.drives().length - 1);
   on("drive", "change", (event) => open(Number(event.target.value)));
-  toggle("mains", (isOn) => engine.mains(isOn));
-  toggle("fault", (isOn) => engine.fault(isOn));
-  toggle("local", (isOn) => engine.local(isOn));
-  on("key", "click", () => engine.stopKey());
-  on("supervised", "change", (event) => engine.supervised(event.target.checked));
-  on("start", "click", () => engine.start(typed()));
-  on("change", "click", () => engine.change(typed()));
-  on("reverse", "click", () => { reverse(); engine.change(typed()); });
-  on("stop", "click", () => engine.stop(Number(byId("how").value)));
-  on("reset", "click", () => engine.reset());
-  on("cable", "change", (event) => engine.cable(Number(event.target.value)));
+  toggle("mains", (isOn) => act("power", isOn));
+  toggle("fault", (isOn) => act("fault", isOn));
+  toggle("local", (isOn) => act("local", isOn));
+  on("key", "click", () => act("key"));
+  on("supervised", "change", (event) => act("supervised", event.target.checked));
+  on("start", "click", () => act("start", typed()));
+  on("change", "click", () => act("change", typed()));
+  on("reverse", "click", () => { reverse(); act("change", typed()); });
+  on("stop", "click", () => act("stop", byId("how").value));
+  on("reset", "click", () => act("reset"));
+  on("cable", "change", (event) => act("cable", event.target.value));
   on("slider", "input", (event) => { byId("hertz").value = event.target.value; });
   on("hertz", "input", followTyped);
   toggle("pause", pause);
   on("speed", "change", (event) => { speed = Number(event.target.value); });
   on("frame", "click", () => { pause(true); engine.nextFrame(); });
-  on("second", "click", () => {
-    const step = 20000;
-    for (let passed = 0; passed < 1000000; passed += step) {
-      engine.run(step);
-      const state = engine.state();
-      curves.note(state);
-      announcer.note(state);
-    }
-  });
+  on("second", "click", () => pass(1000000, (state) => { curves.note(state); announcer.note(state); }));
+  byId("share").addEventListener("click", share);
   function pause(isOn) { isPaused = isOn; press("pause", isOn); }
   addEventListener("resize", () => show());
+  addEventListener("hashchange", openAddress);
+  const showAddress = () => { byId("whole").href = `index.html#${writeState(engine.drives()[Number(byId("drive").value)], done, engine.state().time)}`; };
+  for (const event of ["pointerdown", "focus"]) byId("whole").addEventListener(event, showAddress);
 
-  open(engine.drives().length - 1);
+  openAddress();
   document.documentElement.dataset.ready = "yes";
   requestAnimationFrame(tick);
 }));
