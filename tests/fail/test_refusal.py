@@ -70,6 +70,11 @@ class Refusal(unittest.TestCase):
         self.assertEqual(self.complaint(source), "")
         self.assertIn("at once: line", self.complaint(source, "act"))
 
+    def test_a_folder_however_long_makes_no_line_long(self):
+        place = "/pond" * 100 + "/act.cpp:7:9"
+        said = f"{place}: error: static_assert failed due to requirement 'is_goose<(lambda at {place})>' \"a goose\""
+        self.assertEqual(refusal.hidden("a goose", said), "")
+
     def test_a_sentence_at_once_passes(self):
         self.assertEqual(self.complaint(
             "// EXPECT: a goose\n#ifdef REFUSED\nstatic_assert(sizeof(int) == 1, \"a goose\");\n#endif\n", "act"), "")
