@@ -14,8 +14,7 @@ shared=docs/playground/module
 compile_all $tool/catalog/all_catalogs.cpp docs/line/module/*.cpp $shared/explained.cpp $shared/frame_log.cpp $shared/json.cpp \
     $shared/wasm_support.cpp $tool/backup/saved_values.cpp $tool/catalog/drive_family.cpp $tool/catalog/named_values.cpp \
     $tool/catalog/rows_atv28.cpp $tool/words/amount_words.cpp $frame_sources
-# shellcheck disable=SC2046 # a list of words
-link_module $(ls -r "$objects"/*.o)
+link_module
 
 page=docs/line/page
 shared=docs/playground/page

@@ -10,10 +10,7 @@ set -eu
 
 # shellcheck disable=SC2086 # a list of words
 compile_all docs/playground/module/drives.cpp docs/playground/module/[!d]*.cpp $frame_sources
-
-# The largest object comes last: 1 KB less; the others against the alphabet: 0.1 KB.
-# shellcheck disable=SC2010,SC2046 # a list of words
-link_module $(ls -r "$objects"/*.o | grep -v /drives) "$objects/drives.o"
+link_module
 
 page=docs/playground/page
 write_module_text >"$objects/module.txt"
