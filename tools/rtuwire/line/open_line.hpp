@@ -14,6 +14,7 @@
 #include "exit_status.hpp"
 #include "line/exchange_counts.hpp"
 #include "line/exchange_log.hpp"
+#include "line/raw_request.hpp"
 #include "line/unit_address.hpp"
 #include "port/any_port.hpp"
 
@@ -73,10 +74,14 @@ public:
     template <typename Request>
     rtuwire::result<typename Request::response> ask(unit_address const& to, Request const& request)
     {
-        auto const began = std::chrono::steady_clock::now();
-        auto outcome = ask_at(to, request);
-        note(outcome.error(), std::chrono::steady_clock::now() - began);
-        return outcome;
+        return noted([&] { return ask_at(to, request); });
+    }
+    /// The same of a unit of whom nobody expects a response: sent once, at once. What it says may be the answer to something before;
+    /// it responds in any case.
+    template <typename Request>
+    rtuwire::result<typename Request::response> ask_once(rtuwire::unit_id to, Request const& request)
+    {
+        return noted([&] { return answer_to<Request>(request_once<Request>{to, request}); });
     }
 
     /// What comes in so long a time, or earlier, is nobody's answer. Ends where the port fails.
@@ -93,6 +98,13 @@ public:
     rtuwire::byte_view refused() const;
 
 private:
+    template <typename Ask> auto noted(Ask ask)
+    {
+        auto const began = std::chrono::steady_clock::now();
+        auto outcome = ask();
+        note(outcome.error(), std::chrono::steady_clock::now() - began);
+        return outcome;
+    }
     template <typename Request>
     rtuwire::result<typename Request::response> ask_at(unit_address const& to, Request const& request)
     {

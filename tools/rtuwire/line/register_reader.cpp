@@ -19,9 +19,9 @@ struct words_read {
 };
 
 template <typename Request, typename Values>
-words_read words_by(open_line& line, unit_address unit, Request const& request, Values values)
+words_read words_by(open_line& line, unit_address unit, bool is_sent_once, Request const& request, Values values)
 {
-    auto const outcome = line.ask(unit, request);
+    auto const outcome = is_sent_once ? line.ask_once(rtuwire::unit_id{unit}, request) : line.ask(unit, request);
     words_read read{outcome.error(), {}};
     for (std::size_t i = 0; outcome and i < request.count; ++i) {
         read.words.push_back(static_cast<std::uint16_t>(values(*outcome)[i]));
@@ -29,34 +29,46 @@ words_read words_by(open_line& line, unit_address unit, Request const& request, 
     return read;
 }
 
-words_read words_of(open_line& line, unit_address unit, register_space space, std::uint16_t start, std::uint16_t count)
+words_read words_of(open_line& line, unit_address unit, register_space space, std::uint16_t start, std::uint16_t count,
+                    bool is_sent_once = false)
 {
     auto const registers = [](auto const& response) { return response.registers; };
     switch (space) {
     case register_space::holding: break;
     case register_space::input:
-        return words_by(line, unit, rtuwire::read_input_registers{.start = start, .count = count}, registers);
+        return words_by(line, unit, is_sent_once, rtuwire::read_input_registers{.start = start, .count = count},
+                        registers);
     case register_space::coil:
-        return words_by(line, unit, rtuwire::read_coils{.start = start, .count = count},
+        return words_by(line, unit, is_sent_once, rtuwire::read_coils{.start = start, .count = count},
                         [](auto const& response) { return response.coils; });
     case register_space::discrete:
-        return words_by(line, unit, rtuwire::read_discrete_inputs{.start = start, .count = count},
+        return words_by(line, unit, is_sent_once, rtuwire::read_discrete_inputs{.start = start, .count = count},
                         [](auto const& response) { return response.inputs; });
     }
-    return words_by(line, unit, rtuwire::read_holding_registers{.start = start, .count = count}, registers);
+    return words_by(line, unit, is_sent_once, rtuwire::read_holding_registers{.start = start, .count = count},
+                    registers);
+}
+
+held_words held_of(words_read read, open_line const& line)
+{
+    return {read.why, std::move(read.words), read.why == errc::none ? std::string{} : line.words_of_failure(read.why)};
 }
 
 } // namespace
 
 held_words read_run(open_line& line, unit_address unit, register_space space, std::uint16_t start, std::uint16_t count)
 {
-    words_read read = words_of(line, unit, space, start, count);
-    return {read.why, std::move(read.words), read.why == errc::none ? std::string{} : line.words_of_failure(read.why)};
+    return held_of(words_of(line, unit, space, start, count), line);
 }
 
 held_words read_place(open_line& line, unit_address unit, place const& where)
 {
     return read_run(line, unit, where.space, where.address, where.size());
+}
+
+held_words look_at_place(open_line& line, unit_address unit, place const& where)
+{
+    return held_of(words_of(line, unit, where.space, where.address, where.size(), true), line);
 }
 
 register_reader::register_reader(std::vector<chosen_register> const& chosen, vocabulary const& known)
@@ -163,10 +175,11 @@ void register_reader::read(open_line& line, unit_address unit, bool ends_at_sile
     first_error_ = errc::none;
     first_failure_.clear();
     std::vector<block> learned;
-    bool is_silent = false;
+    held_words silence{.why = errc::none};
+    std::ptrdiff_t ended_at = 0; ///< of `learned`
     for (block const& each : blocks_) {
-        if (is_silent) {
-            fail(each, first_error_, first_failure_);
+        if (silence.why != errc::none) {
+            fail(each, silence.why, silence.failure);
             learned.push_back(each);
             continue;
         }
@@ -174,15 +187,21 @@ void register_reader::read(open_line& line, unit_address unit, bool ends_at_sile
         if (status_of(outcome) == exit_status::port) {
             throw ended{exit_status::port, line.port().failure()};
         }
-        if (first_error_ == errc::none and outcome != errc::none) {
+        auto const failed = std::ranges::find(each, outcome, [this](run const& one) { return held_[one].why; });
+        std::string const failure = outcome == errc::none  ? std::string{}
+                                    : failed == each.end() ? tool::words_of(outcome)
+                                                           : held_[*failed].failure;
+        if (first_error_ == errc::none) {
             first_error_ = outcome;
-            auto const failed = std::ranges::find(each, outcome, [this](run const& one) { return held_[one].why; });
-            first_failure_ = failed == each.end() ? tool::words_of(outcome) : held_[*failed].failure;
+            first_failure_ = failure;
         }
-        is_silent = ends_at_silence and &each == &blocks_.front() and status_of(outcome) == exit_status::no_answer;
+        if (ends_at_silence and status_of(outcome) == exit_status::no_answer) {
+            silence = {outcome, {}, failure};
+            ended_at = static_cast<std::ptrdiff_t>(learned.size()) - 1;
+        }
     }
-    if (is_silent) {
-        std::rotate(learned.begin(), learned.begin() + 1, learned.end());
+    if (silence.why != errc::none) {
+        std::rotate(learned.begin() + ended_at, learned.begin() + ended_at + 1, learned.end());
     }
     blocks_ = std::move(learned);
 }

@@ -33,6 +33,8 @@ held_words read_run(open_line& line, unit_address unit, register_space space, st
 
 /// Asks for one place.
 held_words read_place(open_line& line, unit_address unit, place const& where);
+/// Whether a unit of whom nobody expects a response has one: sent once, and what comes may be the answer to something before.
+held_words look_at_place(open_line& line, unit_address unit, place const& where);
 
 class register_reader {
 public:
@@ -41,8 +43,8 @@ public:
     register_reader(std::vector<chosen_register> const& chosen, vocabulary const& known);
 
     /// One round. What a unit refuses together is read in halves, and in the next round as this one left them. Ends where
-    /// the port fails. With `ends_at_silence` a unit that does not respond to the first request is asked nothing more, and
-    /// in the next round something else first.
+    /// the port fails. With `ends_at_silence` a unit that does not respond to a request is asked nothing more, and
+    /// that one last in the next round.
     void read(open_line& line, unit_address unit, bool ends_at_silence = false);
 
     /// What the last round read of a place that was chosen.
