@@ -404,6 +404,16 @@ TEST_CASE("what is no regular file, or waits for more, is refused at once with t
                                                   ": anybody may read or change this key"));
 }
 
+TEST_CASE("where a file has no time-out it is one that a change is told with in time")
+{
+    file_folder const folder;
+    std::string const text = with(with(whole, "settings = [\"ITH\"]\n", ""), "timeout = 0.2\n", "");
+    CHECK(folder.read(text).lines[0]->choices.response_timeout == 0.5);
+    for (std::string const port : {"mbap://127.0.0.1:1502", "tcp://127.0.0.1:4001"}) {
+        CHECK(folder.read(with(text, "sim:atv320:7", port)).lines[0]->choices.response_timeout == 1.0);
+    }
+}
+
 TEST_CASE("a broker's host is a name or an address")
 {
     file_folder const folder;

@@ -31,7 +31,8 @@ public:
         bool is_there{true};
         bool is_other{false};
         bool is_invalid{false};
-        bool loses_one{false}; ///< response, before it answers the repetition
+        bool loses_one{false};    ///< response, before it answers the repetition
+        bool falls_silent{false}; ///< behind its next response, when it is asked for more
         std::int64_t held{0};
         unsigned reads{0};
         unsigned identified{0};
@@ -63,11 +64,11 @@ public:
     }
     void close() override { is_open_ = false; }
 
-    device_finding identify(std::size_t device) override
+    device_finding identify(std::size_t device, bool is_known_silent) override
     {
         unit& asked = units[device];
         ++asked.identified;
-        if (not request(asked)) {
+        if (not request(asked, is_known_silent ? 1 : tries)) {
             return {device_finding::kind::silent, "no response in time"};
         }
         return asked.is_other ? device_finding{device_finding::kind::wrong, "another device"} : device_finding{};
@@ -77,7 +78,11 @@ public:
     {
         unit& asked = units[parts_[part].device];
         ++asked.reads;
-        part_reading found{.has_responded = request(asked), .was_repeated = asked.loses_one};
+        part_reading found{.has_responded = request(asked, tries), .was_repeated = asked.loses_one};
+        if (found.has_responded and std::exchange(asked.falls_silent, false)) {
+            asked.is_there = false;
+            found.has_fallen_silent = not request(asked, tries);
+        }
         found.why = found.has_responded ? "" : "no response in time";
         for (std::size_t i = 0; i < parts_[part].values.size(); ++i) {
             found.values.push_back(not found.has_responded ? slot_value{.state = value_state::failed, .why = found.why}
@@ -112,6 +117,7 @@ public:
     std::vector<unit> units;
     clock::duration response{10ms};
     clock::duration timeout{200ms};
+    unsigned tries{1}; ///< of one request, where nobody responds
     clock::duration before_write{0ms};
     std::chrono::milliseconds listening{0}; ///< before the first request of a line that was opened
     bool is_gone{false};                    ///< the port
@@ -126,7 +132,7 @@ private:
             throw ended{exit_status::port, "the port is gone"};
         }
     }
-    bool request(unit const& asked)
+    bool request(unit const& asked, unsigned most)
     {
         refuse_lost();
         if (not hangs_up.empty()) {
@@ -135,7 +141,7 @@ private:
         }
         ++counts_.asked;
         counts_.silent += asked.is_there ? 0U : 1U;
-        pass((asked.is_there ? response : timeout) + (std::exchange(has_listened_, true) ? 0ms : listening));
+        pass((asked.is_there ? response : most * timeout) + (std::exchange(has_listened_, true) ? 0ms : listening));
         return asked.is_there;
     }
 
@@ -164,8 +170,9 @@ inline line_plan plan_of(std::size_t devices)
 
 /// A line with its rounds.
 struct rounds_on_line {
-    explicit rounds_on_line(std::size_t devices, bool may_write = true)
-        : plan{plan_of(devices)}, line{plan}, board{plan, may_write, [this] { ++news; }},
+    explicit rounds_on_line(std::size_t devices, bool may_write = true) : rounds_on_line{plan_of(devices), may_write} {}
+    explicit rounds_on_line(line_plan of, bool may_write = true)
+        : plan{std::move(of)}, line{plan}, board{plan, may_write, [this] { ++news; }},
           stored{folder.path("."), "/etc/one.toml", line.unix_time(), line.now()}, rounds{plan, line, board, stored}
     {}
 

@@ -30,6 +30,7 @@ std::vector<device_part> parts_of(line_plan const& plan);
 struct part_reading {
     bool has_responded{false};        ///< with a value, or an exception of its own
     bool was_repeated{false};         ///< some response was lost or damaged first
+    bool has_fallen_silent{false};    ///< what was asked last has no response
     std::string why{};                ///< it has not
     std::vector<slot_value> values{}; ///< as in `device_part::values`, without times
 };
@@ -68,7 +69,8 @@ public:
 
     virtual void open() = 0;
     virtual void close() = 0;
-    virtual device_finding identify(std::size_t device) = 0;
+    /// By one request, sent once, where it is silent as far as anybody knows.
+    virtual device_finding identify(std::size_t device, bool is_known_silent) = 0;
     virtual part_reading read(std::size_t part) = 0;
     /// Once, where all that `write` looks at allows it, and `last_look` has nothing against it just before it leaves.
     virtual setting_outcome write(setting_request const& request, setting_look const& last_look) = 0;

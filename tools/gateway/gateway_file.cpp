@@ -380,6 +380,7 @@ private:
         read_line_options(file(), text_, from, line_options, line->choices);
         line->choices.knows_registers = true;
         check_port(from, line->choices.port);
+        set_timeout(line->choices);
         toml::array const* const devices = tables_in(from, "device", most_devices);
         if (devices == nullptr) {
             refuse(from.source(), "the line '" + line->name +
@@ -412,6 +413,15 @@ private:
                                       "that stay");
             }
         }
+    }
+
+    /// So short on a wire that who falls silent is told within 3 s; over a network a request may wait behind others.
+    static void set_timeout(line_choices& line)
+    {
+        auto const which = read_port_word(line.port).port;
+        bool const is_network =
+            std::holds_alternative<tcp_address>(which) or std::holds_alternative<mbap_address>(which);
+        line.response_timeout = line.response_timeout.value_or(is_network ? 1.0 : 0.5);
     }
 
     void refuse_twice(std::map<std::string, unsigned, std::less<>>& before, std::string const& word,

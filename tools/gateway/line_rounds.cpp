@@ -48,6 +48,7 @@ line_rounds::line_rounds(line_plan const& plan, asked_line& line, line_board& bo
         devices_[i].content = *board.device(i);
     }
 }
+        begin_patience(devices_[i]);
 
 void line_rounds::step()
 {
@@ -124,8 +125,7 @@ void line_rounds::lose_port(std::string const& why)
         tell(event_kind::port_lost, {}, why);
     }
     for (std::size_t i = 0; i < devices_.size(); ++i) {
-        devices_[i].patience = asked_less{misses_allowed, longest_pause};
-        devices_[i].misses = 0;
+        begin_patience(devices_[i]);
         devices_[i].wrong_until = {};
         if (devices_[i].content.why != why) {
             mark_lost(i, why);
@@ -207,8 +207,10 @@ void line_rounds::schedule(part& one, bool is_live)
         tell(event_kind::note, {},
              "more is asked than the line carries: rounds are left out, longer periods would help");
     }
-    if (devices_[one.what.device].misses > 0) { // a lost one is found soon
-        one.due = std::min(one.due, now + std::chrono::seconds{1});
+    device const& asked = devices_[one.what.device];
+    if (asked.misses > 0) { // a lost one is found soon
+        bool const is_to_be_repeated = plan_.choices.retries == 0 and asked.misses == 1 and asked.is_identified;
+        one.due = std::min(one.due, is_to_be_repeated ? now : now + std::chrono::seconds{1});
     }
 }
 
@@ -216,13 +218,12 @@ bool line_rounds::identify(std::size_t which)
 {
     device& one = devices_[which];
     clock::time_point const began = line_.now();
-    device_finding const found = line_.identify(which);
+    device_finding const found = line_.identify(which, one.patience.is_silent());
     if (found.what == device_finding::kind::silent) {
         note_silence(which, found.why, line_.now() - began);
         return false;
     }
-    one.patience.note(true, line_.now());
-    one.misses = 0;
+    begin_patience(one);
     if (not told_losses_.empty()) {
         confirm_port();
     }
@@ -243,13 +244,25 @@ bool line_rounds::identify(std::size_t which)
 void line_rounds::note_silence(std::size_t which, std::string const& why, clock::duration cost)
 {
     device& one = devices_[which];
+/// It responds, or is to be met: so many rounds it may miss from here on.
+void line_rounds::begin_patience(device& one) const
+{
+    bool const is_forgotten = line_.now() - one.first_lost >= unsteady_time;
+    one.losses = is_forgotten ? 0 : one.losses;
+    unsigned const least = plan_.choices.retries == 0 ? 2 : 1; // two requests in any case
+    one.patience = asked_less{least + std::max(one.losses, 1U) - 1, longest_pause};
+    one.misses = 0;
+}
+
     clock::time_point const now = line_.now();
     ++one.misses;
     one.patience.note(false, now);
     if (not one.patience.is_silent()) {
         return;
     }
-    one.is_identified = false;
+    if (std::exchange(one.is_identified, false)) {
+        one.first_lost = one.losses++ == 0 ? now : one.first_lost;
+    }
     if (one.content.why != why) {
         mark_lost(which, why);
     }
@@ -279,8 +292,11 @@ void line_rounds::read(part& one, std::size_t index)
     device& asked = devices_[which];
     clock::time_point const began = line_.now();
     part_reading found = line_.read(index);
-    // Behind a response that was lost another device may have answered.
-    if (found.has_responded and found.was_repeated and says_who(which) and not identify(which)) {
+    bool const was_read_in_part = std::exchange(one.is_read_in_part, found.has_responded and found.has_fallen_silent);
+    // It may have gone in between, or another device may have answered behind a response that was lost.
+    bool const may_be_gone = one.is_read_in_part and not was_read_in_part;
+    bool const may_be_exchanged = found.was_repeated and says_who(which);
+    if (found.has_responded and (may_be_gone or may_be_exchanged) and not identify(which)) {
         return;
     }
     if (not found.has_responded) {
@@ -289,8 +305,7 @@ void line_rounds::read(part& one, std::size_t index)
             return; // all of it is marked
         }
     } else {
-        asked.patience.note(true, line_.now());
-        asked.misses = 0;
+        begin_patience(asked);
         asked.heard = line_.now();
         if (std::exchange(asked.was_told, false)) {
             tell(event_kind::device_back, plan_.devices[which].name, "it responds again");

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The rounds of one line: what is due is read, oldest first; a setting goes before. A device that is silent is asked with
-// growing pauses, and behind what one of them costs others have nine times as long, 2 s at most. A device is identified
-// before its values count, and again once it was lost.
+// growing pauses, and behind what one of them costs others have nine times as long, 2 s at most. A device is silent where
+// a request and its repetition had no response; where it was lost before within a minute, behind as many rounds more. A
+// device is identified before its values count, and again once it was lost.
 #pragma once
 
 #include <chrono>
@@ -40,18 +41,21 @@ private:
         device_part what;
         clock::duration period;
         clock::time_point due;
+        bool is_read_in_part{false}; ///< some of it had no response, the last time
     };
     struct device {
-        asked_less patience{misses_allowed, longest_pause};
+        asked_less patience{1, longest_pause};
         bool is_identified{false};
         clock::time_point heard{}; ///< last
         bool was_told{false};      ///< that it is lost, or another's
         unsigned misses{0};
+        unsigned losses{0}; ///< within a minute, of which the first was
+        clock::time_point first_lost{};
         clock::time_point wrong_until{};
         slot_content content{};
     };
 
-    static constexpr unsigned misses_allowed = 2;
+    static constexpr std::chrono::minutes unsteady_time{1};   ///< behind which losses are forgotten
     static constexpr std::chrono::seconds longest_unheard{3}; ///< behind which another may be in a device's place
     static constexpr std::chrono::seconds longest_doubt{5};   ///< of a port that was opened again
     static constexpr std::size_t most_reasons = 4;            ///< of a loss, that are told until it is confirmed
@@ -75,6 +79,7 @@ private:
     bool identify(std::size_t which);
     void read(part& one, std::size_t index);
     void schedule(part& one, bool is_live);
+    void begin_patience(device& one) const;
     void note_silence(std::size_t which, std::string const& why, clock::duration cost);
     void mark_lost(std::size_t which, std::string const& why);
     void write(waiting_setting const& setting);

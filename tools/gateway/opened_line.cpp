@@ -116,7 +116,15 @@ void opened_line::open()
 std::string opened_line::why_wrong(device_plan const& device)
 {
     unit_address const unit = device.unit.unit;
-    identity_words const who = who_is_it(*line_, unit);
+    // Most meters say nothing to function 43: one that need not say who it is costs one time-out.
+    std::optional<errc> silence;
+    if (device.drive == nullptr and device.names->vendor.empty()) {
+        using identity = rtuwire::read_device_identification;
+        errc const asked =
+            line_->ask_once(device.unit.unit, identity{rtuwire::identification_access::basic, 0}).error();
+        silence = is_silence(asked) ? std::optional{asked} : std::nullopt;
+    }
+    identity_words const who = who_is_it(*line_, unit, silence);
     if (who.outcome == exit_status::port) {
         throw ended{exit_status::port, line_->port().failure()};
     }
@@ -142,11 +150,12 @@ std::string opened_line::why_wrong(device_plan const& device)
     return is_said ? why_another_device(unit, who, device.names->vendor, device.names->product) : std::string{};
 }
 
-device_finding opened_line::identify(std::size_t which)
+device_finding opened_line::identify(std::size_t which, bool is_known_silent)
 {
     device_plan const& device = plan_.devices[which];
     // One that is away costs one request.
-    held_words const first = read_place(*line_, device.unit.unit, device.values.front().which.where);
+    auto const look = is_known_silent ? look_at_place : read_place;
+    held_words const first = look(*line_, device.unit.unit, device.values.front().which.where);
     if (status_of(first.why) == exit_status::port) {
         throw ended{exit_status::port, line_->port().failure()};
     }
@@ -179,7 +188,9 @@ part_reading opened_line::read(std::size_t which)
     part_reading found{.was_repeated = more_sent_than_asked() != before, .why = part.reader.first_failure()};
     for (std::size_t const each : part.what.values) {
         device_value const& value = device.values[each];
-        found.has_responded = found.has_responded or not is_no_response(part.reader.held(value.which.where).why);
+        errc const why = part.reader.held(value.which.where).why;
+        found.has_responded = found.has_responded or not is_no_response(why);
+        found.has_fallen_silent = found.has_fallen_silent or is_silence(why);
         found.values.push_back(value_of(device, value, part.reader));
     }
     return found;

@@ -23,7 +23,7 @@ public:
     void wait(clock::time_point until) override;
     void open() override;
     void close() override { line_.reset(); }
-    device_finding identify(std::size_t device) override;
+    device_finding identify(std::size_t device, bool is_known_silent) override;
     part_reading read(std::size_t part) override;
     setting_outcome write(setting_request const& request, setting_look const& last_look) override;
     exchange_counts const& counts() const override { return counts_; }

@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|pulled|replaced|many
 """
 import json
 import os
@@ -71,6 +71,51 @@ def silent(check, program, _):
             got = [each.time for each in states(client, "line1/meter1", began + 2)]
             gaps = sorted(after - each for each, after in zip(got, got[1:]))
             check(gaps[len(gaps) // 2] < 0.8, "at their period of 0.5 s", [round(each, 2) for each in gaps])
+
+
+class Leaving(Units):
+    """Units that say nothing to function 43, of which one, `leaves`, answers once more and then no more."""
+
+    leaves, left = None, 0
+
+    def answer(self, request):
+        if request[1] == 43:
+            return None
+        found = super().answer(request)
+        if found and request[0] == self.leaves and request[1] == 4:
+            self.silent, self.leaves, self.left = {request[0]}, None, time.time()
+        return found
+
+
+def usual(check, program, _):
+    """The same with all that a file need not say, and each second: the first of three, while another one has gone for good; one
+    that goes between two requests of a reading."""
+    units = {unit: meter() for unit in (1, 2, 3)}
+    devices = [a_meter(f"meter{unit}", unit, every=1.0, registers=["voltage", "energy", "set_point", "mode"]) for unit in units]
+    with Folder() as folder, Broker(folder) as broker, Leaving(units) as line, Client(broker.port, "rtuwire/#") as client:
+        the_line = a_line(line.name, *devices, timeout=None, retries=None)
+        with Gateway(program, folder, text_of(broker.port, [the_line])):
+            check(all(flows(client, f"line1/meter{unit}") for unit in units), "values come of all")
+            changes = Changes(check, client)
+            changes_of_other = Changes(check, client)
+            line.silent = {3}
+            changes.says("line1/meter3/availability", "offline", time.time(), "alone")
+            for turn in range(2):
+                line.silent = {1, 3}
+                changes.says("line1/meter1/availability", "offline", time.time(), f"turn {turn}")
+                line.silent = {3}
+                changes_of_other.says("line1/meter1/availability", "online", time.time(), f"turn {turn}")
+                check(flows(client, "line1/meter1"), "its values come again")
+            line.silent = set()
+            changes_of_other.says("line1/meter3/availability", "online", time.time(), "the other")
+            for turn in range(2):
+                line.leaves = 2
+                check(soon(lambda: line.leaves is None, LIMIT), "it answers once more")
+                changes.says("line1/meter2/availability", "offline", line.left, f"while it is read, turn {turn}")
+                line.silent = set()
+                changes.says("line1/meter2/availability", "online", time.time(), f"alone, turn {turn}")
+            changes.judge()
+            changes_of_other.judge(2 * SOON)
 
 
 def pulled(check, program, _):
@@ -181,7 +226,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    {"silent": silent, "pulled": pulled, "replaced": replaced, "many": many}[part](check, program, tool, *more)
+    {"silent": silent, "usual": usual, "pulled": pulled, "replaced": replaced, "many": many}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

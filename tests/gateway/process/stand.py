@@ -98,7 +98,7 @@ class Units(Line):
     def hear(self, data):
         super().hear(data)
         self.waiting += data
-        while len(self.waiting) >= 8:
+        while len(self.waiting) >= 7:
             size = 9 + self.waiting[6] if self.waiting[1] == 16 else 7 if self.waiting[1] == 43 else 8
             if len(self.waiting) < size:
                 return
@@ -210,7 +210,7 @@ def text_of(port, lines, site="hall", gateway="g1", **broker):
     said += [f"{name} = {json.dumps(value)}" for name, value in broker.items()]
     for line in lines:
         said.append("[[line]]")
-        said += [f"{name} = {json.dumps(value)}" for name, value in line.items() if name != "devices"]
+        said += [f"{name} = {json.dumps(value)}" for name, value in line.items() if name != "devices" and value is not None]
         for device in line["devices"]:
             said.append("[[line.device]]")
             said += [f"{name} = {value if name == 'groups' else json.dumps(value)}" for name, value in device.items()]
