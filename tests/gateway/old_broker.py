@@ -143,6 +143,7 @@ def main(check, program):
                     check(answers(old.published)[1]["result"] == "done", "done", answers(old.published))
                     if turn == 0:
                         old.socket.close()
+                old = another(check, place, gateway, old)
                 gateway.send_signal(signal.SIGTERM)
                 check(not old.serve(lambda _: False), "it says that it ends")
                 check(old.published[f"{ROOT}/status"][-1] == "offline", "offline before", old.published[f"{ROOT}/status"])
@@ -151,6 +152,24 @@ def main(check, program):
                 gateway.kill()
                 print(gateway.stderr.read())
         told_which(check, program, listener, place)
+
+
+def another(check, place, gateway, old):
+    """A reload to another broker, of which nobody knows what it knows; a connection by 3.1.1."""
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        listener.settimeout(LIMIT)
+        (place / "gateway.toml").write_text(FILE.format(port=listener.getsockname()[1], more=""))
+        gateway.send_signal(signal.SIGHUP)
+        check(not old.serve(lambda _: False), "the one before is left")
+        new = Connection(listener)
+        check(new.level == 5, "the other one is spoken to by MQTT 5", new.level)
+        new.say(b"\x20\x02\x00\x01")
+        new.socket.close()
+        old = Connection(listener)
+        check(old.level == 4, "and then by 3.1.1", old.level)
+        old.say(b"\x20\x02\x00\x00")
+        check(old.serve(lambda all_: len(all_.get(f"{ROOT}/line1/oven/state", [])) > 3), "values come")
+        return old
 
 
 def told_which(check, program, listener, place):

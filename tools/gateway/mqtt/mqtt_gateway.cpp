@@ -145,6 +145,7 @@ void mqtt_gateway::reload()
         std::string const password = password_of(plan.broker);
         if (not is_same_broker(plan, plan_) or password != password_) {
             finish_connection();
+            is_old_broker_ = false; // nobody knows it
             next_try_ = clock::now();
         }
         if (plan.state_folder != plan_.state_folder) {
