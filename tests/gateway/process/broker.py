@@ -294,6 +294,8 @@ def name(check, program, _, hanging):
         far = near.replace('"127.0.0.1"', '"hangs.example"')
         with Gateway(program, folder, far, start=False) as gateway:
             gateway.environment["LD_PRELOAD"] = hanging
+            found = folder / "lookup"
+            gateway.environment["HANGS_UNTIL"] = str(found)
             gateway.environment["ASAN_OPTIONS"] = gateway.environment.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0"
             gateway.start()
             check(soon(lambda: "its port is open" in gateway.said(), LIMIT), "its line is asked, and that is told")
@@ -304,6 +306,18 @@ def name(check, program, _, hanging):
             check(soon(lambda: gateway.said().count("read again") == 2, LIMIT), "back to the name")
             check(soon(lambda: client.last(f"{SITE}/status") == "offline", LIMIT), "the broker before is told")
             check(gateway.end() == 0, "and it ends while nobody finds the name")
+            # A lookup of a file before is over when another connection is there, of the same name at the same broker.
+            client.messages.clear()
+            gateway.start()
+            check(soon(lambda: gateway.said().count("its port is open") == 2, LIMIT), "begun anew", gateway.said())
+            gateway.reload(near)
+            check(flows(client), "the near broker is taken")
+            found.touch()
+            check(soon((folder / "lookup.found").exists, LIMIT), "now the name is found")
+            check(flows(client, count=6), "values go on")
+            check({each.payload for each in client.of(f"{SITE}/status")[-1:]} == {b"online"} and ": lost: " not in gateway.said(),
+                  "and nobody takes the place of the connection that is there", gateway.said())
+            check(gateway.end() == 0, "and it ends")
 
 
 def main(check, program, tool, part, *more):

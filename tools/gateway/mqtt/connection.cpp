@@ -3,15 +3,19 @@
 #include "mqtt/connection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <memory>
+#include <mutex>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include <mosquitto.h>
 #include <mqtt_protocol.h>
+#include <netdb.h>
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -65,7 +69,7 @@ mqtt_library::~mqtt_library()
     }
 }
 
-/// The library's call that connects, in a thread of its own.
+/// The library's call that connects, in a thread of its own, behind the name's lookup, which may take long.
 class connection::beginning {
 public:
     /// May throw `std::system_error`.
@@ -74,9 +78,8 @@ public:
     {
         auto begun = std::make_shared<beginning>();
         without_signals const kept;
-        std::thread{[begun, client = std::move(client), host = broker.host, port = static_cast<int>(broker.port),
-                     on_news = std::move(on_news)]() mutable {
-            begun->connect(client.get(), host, port);
+        std::thread{[begun, client = std::move(client), broker, on_news = std::move(on_news)]() mutable {
+            begun->connect(client.get(), broker);
             on_news();
             client.reset(); // the last use of the library
             --threads_left;
@@ -85,12 +88,19 @@ public:
         return begun;
     }
 
+    /// Nobody waits for it any more: another of the same name may be connected, whose place it would take.
+    void abandon()
+    {
+        std::scoped_lock const held{guard_};
+        is_wanted_ = false;
+    }
+
     bool is_over() const { return is_over_; }
     /// Why it failed; empty where the connection is on its way. Once it is over.
     std::string const& failure() const { return failure_; }
 
 private:
-    void connect(mosquitto* client, std::string const& host, int port)
+    void connect(mosquitto* client, broker_choices const& broker)
     {
         mosquitto_user_data_set(client, this);
         mosquitto_log_callback_set(client, [](mosquitto*, void* self, int level, char const* text) {
@@ -98,14 +108,45 @@ private:
                 static_cast<beginning*>(self)->library_error_ = text;
             }
         });
-        int const code = mosquitto_connect_async(client, host.c_str(), port, keep_alive);
-        if (code != MOSQ_ERR_CONN_PENDING and code != MOSQ_ERR_SUCCESS) {
+        // With TLS the library has to know the name, and says nothing before the broker's certificate: that takes further calls.
+        int const code = broker.ca_file.empty() ? connect_to_address(client, broker)
+                                                : mosquitto_connect_async(client, broker.host.c_str(),
+                                                                          static_cast<int>(broker.port), keep_alive);
+        if (not is_begun(code)) {
             failure_ = failure_of(code, library_error_);
         }
         mosquitto_log_callback_set(client, nullptr);
         is_over_ = true;
     }
 
+    static bool is_begun(int code) { return code == MOSQ_ERR_CONN_PENDING or code == MOSQ_ERR_SUCCESS; }
+
+    /// The first of its addresses to which a connection begins; none where nobody waits for it any more.
+    int connect_to_address(mosquitto* client, broker_choices const& broker)
+    {
+        addrinfo wanted{};
+        wanted.ai_socktype = SOCK_STREAM;
+        wanted.ai_flags = AI_ADDRCONFIG;
+        addrinfo* first = nullptr;
+        if (::getaddrinfo(broker.host.c_str(), nullptr, &wanted, &first) != 0) {
+            return MOSQ_ERR_EAI;
+        }
+        std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> const all{first, &::freeaddrinfo};
+        std::scoped_lock const held{guard_}; // what follows waits for nobody
+        int code = MOSQ_ERR_EAI;
+        for (addrinfo const* each = first; each != nullptr and is_wanted_ and not is_begun(code);
+             each = each->ai_next) {
+            std::array<char, NI_MAXHOST> address{};
+            if (::getnameinfo(each->ai_addr, each->ai_addrlen, address.data(), address.size(), nullptr, 0,
+                              NI_NUMERICHOST) == 0) {
+                code = mosquitto_connect_async(client, address.data(), static_cast<int>(broker.port), keep_alive);
+            }
+        }
+        return code;
+    }
+
+    std::mutex guard_{};
+    bool is_wanted_{true};
     std::string failure_{};
     std::string library_error_{};
     std::atomic<bool> is_over_{false};
@@ -132,7 +173,9 @@ connection::connection(connection_choices const& chosen, std::function<void()> o
 connection::~connection()
 {
     // No call back into what ends; while it begins there is none.
-    if (client_ and not beginning_) {
+    if (beginning_) {
+        beginning_->abandon();
+    } else if (client_) {
         mosquitto_disconnect_callback_set(client_.get(), nullptr);
         mosquitto_log_callback_set(client_.get(), nullptr);
     }
