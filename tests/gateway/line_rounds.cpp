@@ -4,6 +4,7 @@
 #include "../../tools/gateway/line_rounds.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -491,6 +492,38 @@ TEST_CASE("a stored register keeps its interval in another line and under anothe
     CHECK(soon[0].result == setting_result::refused);
     CHECK(soon[0].why.find("60 s lie between two") != std::string::npos);
     CHECK(on.line.units[0].written == 1);
+}
+
+TEST_CASE("a stored register keeps its interval where its port has another name")
+{
+    scratch_folder const folder;
+    std::string const device = folder.write("ttyUSB0", "");
+    std::string const link = folder.path("by-id");
+    std::filesystem::create_symlink(device, link);
+    auto const writes = [](rounds_on_line& on) {
+        on.run_for(2s);
+        on.submit(level, "1");
+        on.run_for(1s);
+        return on.answer().result;
+    };
+    for (bool const is_link_first : {false, true}) {
+        rounds_on_line on{1};
+        on.plan.choices.port = is_link_first ? link : device;
+        REQUIRE(writes(on) == setting_result::done);
+        on.plan.choices.port = is_link_first ? device : link;
+        CHECK(writes(on) == setting_result::refused);
+        on.plan.choices.port = folder.write("ttyUSB1", "");
+        CHECK(writes(on) == setting_result::done);
+        // Put in again: the link is the same, and the device's file has another name.
+        on.plan.choices.port = link;
+        on.run_for(60s);
+        REQUIRE(writes(on) == setting_result::done);
+        std::filesystem::remove(link);
+        std::filesystem::create_symlink(folder.path("ttyUSB1"), link);
+        CHECK(writes(on) == setting_result::refused);
+        std::filesystem::remove(link);
+        std::filesystem::create_symlink(device, link);
+    }
 }
 
 TEST_CASE("for a device or a port that is away a setting fails at once, and comes to nothing later")

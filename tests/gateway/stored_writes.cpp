@@ -72,10 +72,38 @@ TEST_CASE("a step of the clock never makes a register wait longer than the inter
     CHECK(later.claim({"b"}, noon + 60 * second, at(330s)).empty());
 }
 
+TEST_CASE("a step of the clock before a restart counts for nothing while the machine goes on")
+{
+    for (std::uint64_t const stepped : {noon + hour, noon - hour}) {
+        scratch_folder const folder;
+        std::string const state = folder.path("state");
+        REQUIRE(stored_writes{state, "/etc/one.toml", noon, at(100s), "boot 1"}.claim({"a"}, noon, at(100s)).empty());
+        stored_writes behind{state, "/etc/one.toml", stepped, at(110s), "boot 1"};
+        CHECK(is_refused(behind.claim({"a"}, stepped, at(159s))));
+        REQUIRE(behind.claim({"b"}, stepped, at(120s)).empty()); // which notes the first one anew
+        stored_writes third{state, "/etc/one.toml", noon, at(130s), "boot 1"};
+        CHECK(is_refused(third.claim({"a"}, noon, at(159s))));
+        CHECK(is_refused(third.claim({"b"}, noon, at(179s))));
+        CHECK(third.claim({"a"}, noon, at(160s)).empty());
+
+        // Behind another start of the machine there is the calendar alone.
+        stored_writes rebooted{state, "/etc/one.toml", noon + 59 * second, at(1s), "boot 2"};
+        CHECK(is_refused(rebooted.claim({"a"}, noon + 59 * second, at(1s))));
+        CHECK(rebooted.claim({"a"}, noon + 61 * second, at(61s)).empty());
+    }
+}
+
+TEST_CASE("this start of the machine has a name")
+{
+    CHECK(tool::gateway::this_boot().size() == 36);
+    CHECK(tool::gateway::this_boot() == tool::gateway::this_boot());
+}
+
 TEST_CASE("a record of writes that is damaged is told and kept, and every register waits once")
 {
-    for (std::string const damaged : {"{", "[]", R"({"/etc/one.toml": []})", R"({"/etc/one.toml": {"a": "noon"}})",
-                                      R"({"/etc/one.toml": {"a": 1796040000}})"}) {
+    for (std::string const damaged :
+         {"{", "[]", R"({"/etc/one.toml": []})", R"({"/etc/one.toml": {"a": "noon"}})",
+          R"({"/etc/one.toml": {"a": 1796040000}})", R"({"/etc/one.toml": {"clock": {"boot": "x"}}})"}) {
         CAPTURE(damaged);
         scratch_folder const folder;
         std::string const file = folder.write("written.json", damaged);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "output/plain_text.hpp"
@@ -349,12 +351,19 @@ std::string line_rounds::claim(setting_request const& request)
     if (not value.setting->is_stored) {
         return {};
     }
-    // By what it is on the line, whatever it is called: other names are no way around the interval.
+    // By what it is on the line, whatever it is called: other names are no way around the interval. A device's file has its name
+    // only until it is put in again, and others may get it then.
+    std::vector<std::string> ports{plan_.choices.port};
+    std::error_code is_no_file;
+    std::filesystem::path const file = std::filesystem::canonical(plan_.choices.port, is_no_file);
+    if (not is_no_file and file != plan_.choices.port) {
+        ports.push_back(file.string());
+    }
     place const& where = value.which.where;
     std::vector<std::string> registers;
-    for (unsigned i = 0; i < where.size(); ++i) {
-        registers.push_back(plan_.choices.port + ' ' + std::to_string(to.unit.unit.byte()) + ' ' +
-                            std::string{name_of(where.space)} + ':' + std::to_string(where.address + i));
+    for (unsigned i = 0; i < ports.size() * where.size(); ++i) {
+        registers.push_back(ports[i / where.size()] + ' ' + std::to_string(to.unit.unit.byte()) + ' ' +
+                            std::string{name_of(where.space)} + ':' + std::to_string(where.address + i % where.size()));
     }
     return stored_.claim(registers, line_.unix_time(), line_.now());
 }

@@ -15,6 +15,9 @@
 
 namespace tool::gateway {
 
+/// A name of this start of the machine, which no other has; empty where the system has none.
+std::string this_boot();
+
 class stored_writes {
 public:
     using clock = std::chrono::steady_clock;
@@ -22,9 +25,11 @@ public:
     /// Between two writes of a register.
     static constexpr std::chrono::seconds least_interval{60};
 
-    /// `unix_time` in microseconds since 1970, as all times of the calendar here. A write that the record puts ahead of it, since
-    /// the calendar was set back, is taken for one of now. Where the record is damaged all registers are.
-    stored_writes(std::string folder, std::string owner, std::uint64_t unix_time, clock::time_point now);
+    /// `unix_time` in microseconds since 1970, as all times of the calendar here. `boot` names this start of the machine, during
+    /// which the calendar of the record does not count; empty: nobody knows. Behind another start a write that the record puts
+    /// ahead of now, since the calendar was set back, is taken for one of now. Where the record is damaged all registers are.
+    stored_writes(std::string folder, std::string owner, std::uint64_t unix_time, clock::time_point now,
+                  std::string boot = {});
 
     /// Notes the write of registers that is about to leave, on the disk when this returns. Why it may not; empty where it may.
     [[nodiscard]] std::string claim(std::vector<std::string> const& registers, std::uint64_t unix_time,
@@ -39,6 +44,7 @@ private:
 
     std::mutex guard_{};
     state_file file_;
+    std::string boot_;
     std::string trouble_{};
     std::map<std::string, clock::time_point> written_{}; ///< last, by the clock that nobody sets
     clock::time_point unknown_until_{};                  ///< until then none is written: what was, is not known

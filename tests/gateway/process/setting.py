@@ -10,7 +10,7 @@ import json
 import time
 
 from stand import (LIMIT, SITE, Broker, Client, Folder, Gateway, Proxy, Simulator, Units, a_line, a_meter, flows, meter, moment, runs,
-                   soon, states, text_of)
+                   soon, states, text_of, when)
 
 SET, ANSWER = f"{SITE}/line1/meter/set", f"{SITE}/line1/meter/answer"
 
@@ -108,10 +108,21 @@ def stored(check, program, _):
             check(flows(client), "values come again")
             ask.expect("kept", 502, ("refused",), "behind a restart", "60 s lie between two")
             gateway.kill()
-        check(len(line.writes) == 1, "it was written once", line.writes)
-        # Noted an hour ahead: it waits, and no longer than a minute.
+        # As if the calendar had been set forward by an hour in between.
         noted = json.loads(record.read_text(encoding="utf-8"))
         for each in noted.values():
+            each["clock"]["began"] -= 3_600_000_000
+            each.update({which: moment(when(at) - 3600) for which, at in each.items() if which != "clock"})
+        record.write_text(json.dumps(noted), encoding="utf-8")
+        client.messages.clear()
+        with Gateway(program, folder, the_file(broker, line), "--write") as gateway:
+            check(flows(client), "values come again")
+            ask.expect("kept", 502, ("refused",), "a clock that was set forward", "60 s lie between two")
+            gateway.kill()
+        check(len(line.writes) == 1, "it was written once", line.writes)
+        # Noted an hour ahead, at another start of the machine: it waits, and no longer than a minute.
+        for each in noted.values():
+            del each["clock"]
             each.update({which: moment(time.time() + 3600) for which in each})
         record.write_text(json.dumps(noted), encoding="utf-8")
         client.messages.clear()

@@ -77,7 +77,7 @@ gateway_plan checked_plan(std::string const& file)
 
 mqtt_gateway::mqtt_gateway(gateway_choices const& chosen, gateway_plan plan)
     : chosen_{chosen}, log_{chosen.has_json}, plan_{std::move(plan)}, stored_{plan_.state_folder, owner_of(chosen.file),
-                                                                              unix_now(), clock::now()},
+                                                                              unix_now(), clock::now(), this_boot()},
       lines_{chosen.may_write, stored_, [this] { news_->ring(); }}, record_{plan_.state_folder, owner_of(chosen.file)},
       publisher_{chosen.may_write, record_.topics()}, pauses_{plan_.site + '/' + plan_.gateway}
 {
