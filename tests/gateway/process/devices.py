@@ -3,15 +3,16 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|repeated|pulled|replaced|many
 """
 import json
 import os
 import subprocess
+import threading
 import time
 
 from stand import (LIMIT, SITE, Broker, Client, Folder, Gateway, Simulator, Units, a_line, a_meter, flows, meter, runs, soon,
-                   states, text_of)
+                   states, text_of, with_crc)
 
 SOON = 3  # s, in which each change is said
 
@@ -116,6 +117,60 @@ def usual(check, program, _):
                 changes.says("line1/meter2/availability", "online", time.time(), f"alone, turn {turn}")
             changes.judge()
             changes_of_other.judge(2 * SOON)
+
+
+class Repeating(Units):
+    """Units whose line says responses again: `how` is doubled, late or foreign. A voltage is another number each time, 10000 more
+    of unit 4."""
+
+    def __init__(self, units):
+        super().__init__(units)
+        self.how, self.said_before, self.repeated, self.asked = None, {}, 0, 0
+
+    def answer(self, request):
+        if request[1] == 4:
+            self.asked += 1
+            self.units[request[0]][0] = self.asked + 10000 * (request[0] == 4)
+        found = super().answer(request)
+        if found:
+            self.disturb(found)
+        return found
+
+    def disturb(self, found):
+        before, self.said_before[found[0]] = self.said_before.get(7 - found[0]), found
+        if self.how == "doubled":
+            self.say(with_crc(found))
+        elif self.how == "late":
+            threading.Timer(0.05, self.say, (with_crc(found),)).start()
+        elif self.how == "foreign" and before:
+            self.say(with_crc(before))
+            time.sleep(0.02)
+        self.repeated += self.how is not None
+
+
+def repeated(check, program, _):
+    """Responses that a line says again: none of them is another value's, or a newer one."""
+    units = {3: meter(), 4: meter()}
+    names = ["voltage", "set_point", "mode"]
+    devices = [a_meter("meter", 3, registers=names), a_meter("other", 4, registers=names)]
+    with Folder() as folder, Broker(folder) as broker, Repeating(units) as line, Client(broker.port, "rtuwire/#") as client:
+        with Gateway(program, folder, text_of(broker.port, [a_line(line.name, *devices, timeout=0.5)])) as gateway:
+            check(flows(client) and flows(client, "line1/other"), "values come")
+            for how in ("doubled", "late", "foreign"):
+                line.how, line.repeated = how, 0
+                since = time.time()
+                check(soon(lambda: line.repeated > 40, LIMIT), f"{how}: the line repeats responses")
+                line.how = None
+                check(flows(client) and flows(client, "line1/other"), f"{how}: values come behind that")
+                for unit, name in ((3, "meter"), (4, "other")):
+                    values = [each.values for each in states(client, f"line1/{name}", since)]
+                    told = {key: [each[key]["value"] for each in values if each.get(key, {}).get("value") is not None] for key in names}
+                    volts = [round(each * 10) for each in told["voltage"]]
+                    check(all(each < after for each, after in zip(volts, volts[1:])), f"{how}: each voltage of {name} is new", volts)
+                    check(all((each > 10000) == (unit == 4) for each in volts), f"{how}: and its own", volts)
+                    check(set(told["set_point"]) <= {21.5} and set(told["mode"]) <= {"heat"}, f"{how}: none is another register's", told)
+                    check(len(volts) > 3, f"{how}: values come meanwhile", len(volts))
+            check(gateway.end() == 0, "it ends")
 
 
 def pulled(check, program, _):
@@ -226,7 +281,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    {"silent": silent, "usual": usual, "pulled": pulled, "replaced": replaced, "many": many}[part](check, program, tool, *more)
+    {"silent": silent, "usual": usual, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":
