@@ -52,7 +52,7 @@ exit_status run_serve(choices const& chosen)
         refuse_wrong_log();
     }
     clients.listen();
-    served_line line{chosen, settings, clients, counts, events};
+    reopened_line line{chosen, settings, clients, counts, events};
     tell_what_is_served(chosen, settings);
     clients.begin();
     line.run();

@@ -40,7 +40,7 @@ std::vector<std::byte> exception_to(served_request const& to, errc exception)
 void served_clients::listen()
 {
     for (listen_place const& each : settings_.listen) {
-        listener& made = listeners_.emplace_back(listener{each.protocol, {}});
+        listener made{each.protocol, {}};
         if (not made.socket.open(each.at.host, each.at.port, static_cast<int>(most_clients))) {
             throw ended{exit_status::port, std::string{name_of(each.protocol)} + "://" + made.socket.failure()};
         }
@@ -49,6 +49,7 @@ void served_clients::listen()
                               made.socket.device() +
                               ": whoever reaches that address could write; say --from with the clients that may");
         }
+        listeners_.push_back(std::move(made));
     }
     if (settings_.metrics) {
         auto const& at = *settings_.metrics;

@@ -39,16 +39,15 @@ std::string number_of(std::uint8_t unit) { return "unit " + std::to_string(unit)
 
 } // namespace
 
-served_line::served_line(choices const& chosen, serve_settings const& settings, served_clients& clients,
-                         serve_counts& counts, serve_events const& events)
-    : chosen_{chosen}, settings_{settings}, clients_{clients}, counts_{counts}, events_{events},
-      line_{std::make_unique<open_line>(chosen.line)}
+reopened_line::reopened_line(choices const& chosen, serve_settings const& settings, served_clients& clients,
+                             serve_counts& counts, serve_events const& events)
+    : chosen_{chosen}, clients_{clients}, counts_{counts}, events_{events},
+      line_{std::make_unique<open_line>(chosen.line)}, served_{chosen, settings, clients, counts, events}
 {
-    line_->port().attend(clients_);
-    counts_.is_port_up = true;
+    served_.begin(*line_);
 }
 
-void served_line::run()
+void reopened_line::run()
 {
     while (not clients_.is_ending()) {
         bool const is_up = line_ != nullptr or open_again();
@@ -58,12 +57,15 @@ void served_line::run()
             continue;
         }
         if (auto const request = clients_.is_ending() ? std::nullopt : clients_.take()) {
-            handle(*request);
+            served_.handle(*request);
+            if (is_up and not served_.has_line()) {
+                lose(served_.why_lost());
+            }
         }
     }
 }
 
-bool served_line::open_again()
+bool reopened_line::open_again()
 {
     if (steady_clock::now() < next_opening_) {
         return false;
@@ -81,24 +83,42 @@ bool served_line::open_again()
         }
         return false;
     }
-    line_->port().attend(clients_);
+    served_.begin(*line_);
     told_failure_.clear();
-    counts_.is_port_up = true;
     opened_ = steady_clock::now();
     events_.tell("port_opened", {{"port", chosen_.line.port}}, chosen_.line.port + " is open again");
     return true;
 }
 
-void served_line::lose(std::string const& why)
+void reopened_line::lose(std::string const& why)
 {
+    served_.end();
     line_.reset();
-    known_.clear();
-    silent_.forget();
-    counts_.is_port_up = false;
     ++counts_.port_losses;
     next_opening_ = opened_ + reopening_pause; // at once, but for one that goes again and again
     told_failure_ = why;
     events_.tell("port_lost", {{"port", chosen_.line.port}}, why + "; clients get exception 0B until it is back");
+}
+
+void served_line::begin(open_line& line)
+{
+    line_ = &line;
+    line.port().attend(clients_);
+    counts_.is_port_up = true;
+}
+
+void served_line::end()
+{
+    line_ = nullptr;
+    known_.clear();
+    silent_.forget();
+    counts_.is_port_up = false;
+}
+
+void served_line::lose(std::string const& why)
+{
+    why_lost_ = why;
+    end();
 }
 
 void served_line::handle(served_request const& request)

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The line that clients ask: who is on it, what may be written there, and what becomes of each request. It is opened again
-// where it was lost.
+// The line that clients ask: who is on it, what may be written there, and what becomes of each request.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +22,24 @@ namespace tool {
 
 class served_line {
 public:
-    static constexpr std::chrono::seconds reopening_pause{1};
-
-    /// Opens the port, and listens there first, as every command does.
     served_line(choices const& chosen, serve_settings const& settings, served_clients& clients, serve_counts& counts,
-                serve_events const& events);
+                serve_events const& events)
+        : chosen_{chosen}, settings_{settings}, clients_{clients}, counts_{counts}, events_{events}
+    {}
 
-    /// Until somebody ends it.
-    void run();
+    /// From here on this line is asked, and its clients are served while it waits.
+    void begin(open_line& line);
+    /// Until the next one nobody can be asked, and nothing is known of who is there.
+    void end();
+    /// Whether there is one: a request during which it is lost ends it.
+    [[nodiscard]] bool has_line() const { return line_ != nullptr; }
+    /// How the last one was lost.
+    [[nodiscard]] std::string const& why_lost() const { return why_lost_; }
+
+    /// Answers a request.
+    void handle(served_request const& request);
+    /// A unit is asked by somebody else: it is not to wait for one that is silent.
+    void note_asked(std::uint8_t unit) { silent_.note_request(unit, std::chrono::steady_clock::now()); }
 
 private:
     /// What a unit tells of itself; until it is silent, a request had to be repeated, or the port is lost, and for as long as
@@ -50,9 +59,7 @@ private:
     void forget_old(std::uint8_t unit, bool is_read);
     /// Whether a read carries no frame for another unit; where it does, it is answered.
     bool holds_no_frame(served_request const& request);
-    bool open_again();
     void lose(std::string const& why);
-    void handle(served_request const& request);
     void broadcast(served_request const& request);
     /// Whether its unit is known now; where not, the request is answered.
     bool identify(served_request const& request, named_unit const& unit);
@@ -83,13 +90,38 @@ private:
     served_clients& clients_;
     serve_counts& counts_;
     serve_events const& events_;
-    std::unique_ptr<open_line> line_;
-    serve_time opened_{};
-    serve_time next_opening_{};
-    std::string told_failure_{};
+    open_line* line_{nullptr};
+    std::string why_lost_{};
     silent_units silent_{};
     std::map<std::uint8_t, known_unit> known_{};
     std::set<std::uint8_t> told_units_{}; ///< of which was said why they are not served
+};
+
+/// The line of a program that does nothing else: it is opened again where it was lost.
+class reopened_line {
+public:
+    static constexpr std::chrono::seconds reopening_pause{1};
+
+    /// Opens the port, and listens there first, as every command does.
+    reopened_line(choices const& chosen, serve_settings const& settings, served_clients& clients, serve_counts& counts,
+                  serve_events const& events);
+
+    /// Until somebody ends it.
+    void run();
+
+private:
+    bool open_again();
+    void lose(std::string const& why);
+
+    choices const& chosen_;
+    served_clients& clients_;
+    serve_counts& counts_;
+    serve_events const& events_;
+    std::unique_ptr<open_line> line_;
+    served_line served_;
+    serve_time opened_{};
+    serve_time next_opening_{};
+    std::string told_failure_{};
 };
 
 } // namespace tool

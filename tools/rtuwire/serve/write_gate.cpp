@@ -48,7 +48,7 @@ gate_verdict judge_request(gate_rules const& rules, std::uint8_t unit, rtuwire::
     if (unit > last_unit or (unit != 0 and rules.units and rules.units->count(unit) == 0)) {
         return {errc::gateway_path_unavailable, "unit",
                 unit > last_unit ? number + " is the address of no unit of a line: 1 to 247"
-                                 : number + " is not served: --units does not name it"};
+                                 : number + " is not served: " + rules.units_word + " does not name it"};
     }
     if (unit == 0 and not rules.may_broadcast) {
         return {errc::gateway_path_unavailable, "broadcast",
@@ -63,7 +63,8 @@ gate_verdict judge_request(gate_rules const& rules, std::uint8_t unit, rtuwire::
     bool const is_flawed = flaw_of(pdu, rtuwire::frame_role::request) != errc::none;
     if (not has_reading_function(pdu) and not rules.may_write) {
         return {errc::illegal_function, "write",
-                number + ": " + words_of_function(pdu) + ", may change something, and only reads pass; say --write"};
+                number + ": " + words_of_function(pdu) + ", may change something, and only reads pass" +
+                    rules.write_word};
     }
     if (not has_reading_function(pdu) and not writes_places(pdu)) {
         return {errc::illegal_function, "write",

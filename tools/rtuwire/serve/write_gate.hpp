@@ -17,6 +17,8 @@ struct gate_rules {
     std::optional<std::set<std::uint8_t>> functions{}; ///< nothing: all
     bool may_write{false};
     bool may_broadcast{false};
+    std::string units_word{"--units"}; ///< by which a message names what would let a request pass
+    std::string write_word{"; say --write"};
 };
 
 struct gate_verdict {

@@ -173,6 +173,9 @@ inline int poll_ports(std::span<pollfd> ports, std::chrono::milliseconds limit) 
 /// The signals that end `serve`, which are seen where it waits, and nowhere else.
 class ending_seen_in_wait {
 public:
+    /// Until it begins, its thread's waits let through what the thread does.
+    ending_seen_in_wait() noexcept { ::pthread_sigmask(SIG_BLOCK, nullptr, &unblocked_); }
+
     void begin() noexcept
     {
         sigset_t ending{};
