@@ -3,10 +3,12 @@
 // The file of the gateway: what it means, and what is refused of it, where and why.
 #include "../../tools/gateway/gateway_file.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <sys/stat.h>
@@ -402,6 +404,47 @@ TEST_CASE("what is no regular file, or waits for more, is refused at once with t
     CHECK_THROWS_WITH(gateway_file_at(name),
                       Catch::Matchers::StartsWith(name + ":6:12: key_file: " + folder.path("pem") +
                                                   ": anybody may read or change this key"));
+}
+
+TEST_CASE("a line that answers clients says which units they may read")
+{
+    file_folder const folder;
+    std::string const right = with(whole, "settings = [\"ITH\"]\n", "");
+    auto const with_serve = [&right](std::string const& keys) {
+        return with(right, "rs485 = false\n", "[line.serve]\n" + keys + "\n");
+    };
+    gateway_plan const plan =
+        folder.read(with_serve("units = \"3,7-9\"\nlisten = \"mbap://127.0.0.1:1503\"\nfrom = [\"10.0.0.0/8\"]"));
+    REQUIRE(plan.lines[0]->serve);
+    CHECK(plan.lines[0]->serve->units == "3,7-9");
+    CHECK(plan.lines[0]->serve->listen == std::vector<std::string>{"mbap://127.0.0.1:1503"});
+    CHECK(plan.lines[0]->serve->from == std::vector<std::string>{"10.0.0.0/8"});
+    CHECK(plan.lines[0]->said != folder.read(right).lines[0]->said);
+    bool const is_told =
+        std::ranges::any_of(plan.notes, [](auto const& each) { return each.find("units 3,7-9") != each.npos; });
+    CHECK(is_told);
+    CHECK(folder.read(with_serve("units = \"3\"")).lines[0]->serve->listen.front() == "mbap://127.0.0.1:1502");
+    CHECK_FALSE(folder.read(right).lines[0]->serve);
+
+    for (auto const& [keys, why] : std::vector<std::pair<std::string, std::string>>{
+             {"", "13:1: units is missing"},
+             {"units = \"\"", "14:9: units is empty"},
+             {"units = 3", "14:9: "},
+             {"units = \"3\"\nwrite = true", "15:9: clients of a gateway's line read"},
+             {"units = \"3\"\nwrites = true", "15:1: "},
+             {"units = \"300\"", "13:1: "},
+             {"units = \"3\"\nlisten = \"nowhere\"", "13:1: --listen: "},
+             {"units = \"3\"\nfrom = \"10.0.0.1\"", "15:8: from is a list"},
+             {"units = \"3\"\nfrom = [\"10.0.0.1/8\"]", "13:1: --from 10.0.0.1/8"}}) {
+        std::string const found = folder.refusal(with_serve(keys));
+        CAPTURE(keys, found);
+        CHECK(found.starts_with("gateway.toml:" + why));
+    }
+    std::string const twice = with_serve("units = \"3\"") +
+                              "[[line]]\nname = \"line2\"\nport = \"sim:atv320:8\"\n[line.serve]\nunits = \"3\"\n"
+                              "[[line.device]]\nname = \"m\"\nunit = 3\nfile = \"meter.toml\"\n";
+    CHECK(folder.refusal(twice).find("a line that listens at 'mbap://127.0.0.1:1502' stands in line 13, too") !=
+          std::string::npos);
 }
 
 TEST_CASE("where a file has no time-out it is one that a change is told with in time")

@@ -67,6 +67,9 @@ public:
     /// Until then, or so long as it likes; what comes meanwhile is nobody's response.
     virtual void wait(clock::time_point until) = 0;
 
+    /// Answers a request of the line's clients, where one waits, whether or not it is open.
+    virtual void serve_one() {}
+
     virtual void open() = 0;
     virtual void close() = 0;
     /// By one request, sent once, where it is silent as far as anybody knows.

@@ -26,6 +26,7 @@
 #include "motion/unsafe_write.hpp"
 #include "output/plain_text.hpp"
 #include "port/port_word.hpp"
+#include "serve/serve_settings.hpp"
 #include "words/place_value.hpp"
 #include "words/suggestion.hpp"
 #include "words/words.hpp"
@@ -368,9 +369,9 @@ private:
 
     void add_line(toml::table const& from)
     {
-        check_keys(
-            file(), from,
-            {"name", "port", "baud", "format", "timeout", "retries", "pause", "echo", "rs485", "listen", "device"});
+        check_keys(file(), from,
+                   {"name", "port", "baud", "format", "timeout", "retries", "pause", "echo", "rs485", "listen", "serve",
+                    "device"});
         auto line = std::make_shared<line_plan>();
         line->name = topic_part(from, "name");
         refuse_twice(line_names_, line->name, place_of(from, "name"), "the line");
@@ -381,6 +382,7 @@ private:
         line->choices.knows_registers = true;
         check_port(from, line->choices.port);
         set_timeout(line->choices);
+        read_serve(from, *line);
         toml::array const* const devices = tables_in(from, "device", most_devices);
         if (devices == nullptr) {
             refuse(from.source(), "the line '" + line->name +
@@ -413,6 +415,45 @@ private:
                                       "that stay");
             }
         }
+    }
+
+    void read_serve(toml::table const& from, line_plan& line)
+    {
+        toml::table const* const said = table_in(from, "serve");
+        if (said == nullptr) {
+            return;
+        }
+        for (std::string_view const each : {"write", "allow-write"}) {
+            if (said->contains(each)) {
+                refuse(place_of(*said, each),
+                       "clients of a gateway's line read: who writes is a setting of a device, or a "
+                       "client of rtuwire serve");
+            }
+        }
+        check_keys(file(), *said, {"listen", "units", "from"});
+        serve_choices& to = line.serve.emplace();
+        to.listen = {plain_in(*said, "listen").value_or("mbap://127.0.0.1:1502")};
+        to.units = plain_in(*said, "units").value_or("");
+        if (to.units.empty()) {
+            refuse(said->source(), "units is missing: which of them clients may read, units = \"1-4,7\"; each request "
+                                   "feeds a drive's supervision of the line");
+        }
+        if (toml::node const* const ranges = said->get("from")) {
+            toml::array const* const list = ranges->as_array();
+            if (list == nullptr or list->empty() or not list->is_homogeneous<std::string>()) {
+                refuse(ranges->source(), "from is a list of addresses: from = [\"192.168.1.0/24\"]");
+            }
+            for (toml::node const& each : *list) {
+                to.from.push_back(each.as_string()->get());
+            }
+        }
+        refuse_twice(served_places_, to.listen.front(), place_of(*said, "listen"), "a line that listens at");
+        if (auto const why =
+                ended_by([&] { static_cast<void>(serve_settings_in({.line = line.choices, .serve = to})); })) {
+            refuse(said->source(), why->what());
+        }
+        plan_.notes.push_back(line.name + ": clients at " + to.listen.front() + " may read the units " + to.units +
+                              ": where one of them is a drive, that feeds its supervision of the line");
     }
 
     /// So short on a wire that who falls silent is told within 3 s; over a network a request may wait behind others.
@@ -646,6 +687,7 @@ private:
     std::filesystem::path folder_{};
     std::map<std::string, unsigned, std::less<>> line_names_{};
     std::map<std::string, unsigned, std::less<>> ports_{};
+    std::map<std::string, unsigned, std::less<>> served_places_{};
     std::map<std::string, unsigned, std::less<>> names_of_line_{};
     std::map<std::string, unsigned, std::less<>> units_of_line_{};
     std::map<std::string, std::pair<std::string, std::shared_ptr<named_places const>>> register_files_{};

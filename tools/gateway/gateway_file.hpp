@@ -70,6 +70,7 @@ struct device_plan {
 struct line_plan {
     std::string name;
     line_choices choices{};
+    std::optional<serve_choices> serve{}; ///< it answers clients, too
     std::vector<device_plan> devices{};
     std::string said{}; ///< all that the file and its register files say of the line: equal texts are equal lines
 };

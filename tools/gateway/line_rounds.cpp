@@ -48,9 +48,9 @@ line_rounds::line_rounds(line_plan const& plan, asked_line& line, line_board& bo
     }
     for (std::size_t i = 0; i < devices_.size(); ++i) {
         devices_[i].content = *board.device(i);
+        begin_patience(devices_[i]);
     }
 }
-        begin_patience(devices_[i]);
 
 void line_rounds::step()
 {
@@ -67,6 +67,7 @@ void line_rounds::act()
     if (auto const setting = board_.take_setting()) { // one, so that many of them starve no reading
         write(*setting);
     }
+    line_.serve_one(); // clients and rounds take turns
     clock::time_point const now = line_.now();
     if (state_.is_up) {
         if (not told_losses_.empty() and now - opened_at_ >= longest_doubt) {
@@ -243,9 +244,6 @@ bool line_rounds::identify(std::size_t which)
     return true;
 }
 
-void line_rounds::note_silence(std::size_t which, std::string const& why, clock::duration cost)
-{
-    device& one = devices_[which];
 /// It responds, or is to be met: so many rounds it may miss from here on.
 void line_rounds::begin_patience(device& one) const
 {
@@ -256,6 +254,9 @@ void line_rounds::begin_patience(device& one) const
     one.misses = 0;
 }
 
+void line_rounds::note_silence(std::size_t which, std::string const& why, clock::duration cost)
+{
+    device& one = devices_[which];
     clock::time_point const now = line_.now();
     ++one.misses;
     one.patience.note(false, now);

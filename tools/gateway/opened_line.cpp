@@ -82,8 +82,11 @@ std::string why_invalid(device_value const& value, reading const& it, std::vecto
 
 } // namespace
 
-opened_line::opened_line(line_plan const& plan) : plan_{plan}
+opened_line::opened_line(line_plan const& plan, std::function<void(std::string const&)> tell) : plan_{plan}
 {
+    if (plan.serve) {
+        clients_.emplace(choices{.line = plan.choices, .serve = *plan.serve}, std::move(tell));
+    }
     for (device_part& each : parts_of(plan)) {
         device_plan const& device = plan.devices[each.device];
         std::vector<chosen_register> registers;
@@ -99,7 +102,9 @@ std::uint64_t opened_line::unix_time() const { return unix_now(); }
 
 void opened_line::wait(clock::time_point until)
 {
-    if (line_) {
+    if (clients_) {
+        clients_->wait(line_ ? line_->port().descriptor_number() : -1, until);
+    } else if (line_) {
         auto const left = std::chrono::ceil<std::chrono::microseconds>(until - now());
         line_->let_pass(std::max(left, std::chrono::microseconds{0}));
     } else {
@@ -107,10 +112,35 @@ void opened_line::wait(clock::time_point until)
     }
 }
 
+void opened_line::serve_one()
+{
+    if (clients_) {
+        clients_->serve_one();
+    }
+}
+
 void opened_line::open()
 {
     line_.emplace(plan_.choices);
     line_->count_in(&counts_);
+    if (clients_) {
+        clients_->begin(*line_);
+    }
+}
+
+void opened_line::close()
+{
+    if (clients_) {
+        clients_->end();
+    }
+    line_.reset();
+}
+
+void opened_line::note_asked(device_plan const& device)
+{
+    if (clients_) {
+        clients_->note_asked(device.unit.unit.byte());
+    }
 }
 
 std::string opened_line::why_wrong(device_plan const& device)
@@ -153,6 +183,7 @@ std::string opened_line::why_wrong(device_plan const& device)
 device_finding opened_line::identify(std::size_t which, bool is_known_silent)
 {
     device_plan const& device = plan_.devices[which];
+    note_asked(device);
     // One that is away costs one request.
     auto const look = is_known_silent ? look_at_place : read_place;
     held_words const first = look(*line_, device.unit.unit, device.values.front().which.where);
@@ -182,6 +213,7 @@ part_reading opened_line::read(std::size_t which)
 {
     read_part& part = parts_[which];
     device_plan const& device = plan_.devices[part.what.device];
+    note_asked(device);
     auto const more_sent_than_asked = [&] { return line_->exchange().sent() - counts_.asked; };
     auto const before = more_sent_than_asked();
     part.reader.read(*line_, device.unit.unit, true);

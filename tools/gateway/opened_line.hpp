@@ -3,6 +3,7 @@
 // A line of the gateway on its port, in real time.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,19 +11,22 @@
 #include "asked_line.hpp"
 #include "line/open_line.hpp"
 #include "line/register_reader.hpp"
+#include "line_clients.hpp"
 #include "words/value_words.hpp"
 
 namespace tool::gateway {
 
 class opened_line final : public asked_line {
 public:
-    explicit opened_line(line_plan const& plan);
+    /// `tell` takes what there is to know of clients.
+    opened_line(line_plan const& plan, std::function<void(std::string const&)> tell);
 
     clock::time_point now() const override { return clock::now(); }
     std::uint64_t unix_time() const override;
     void wait(clock::time_point until) override;
+    void serve_one() override;
     void open() override;
-    void close() override { line_.reset(); }
+    void close() override;
     device_finding identify(std::size_t device, bool is_known_silent) override;
     part_reading read(std::size_t part) override;
     setting_outcome write(setting_request const& request, setting_look const& last_look) override;
@@ -34,6 +38,7 @@ private:
         register_reader reader;
     };
 
+    void note_asked(device_plan const& device);
     /// Why what answers there is not what the file says; empty where it is.
     std::string why_wrong(device_plan const& device);
     setting_outcome send(device_plan const& device, std::vector<value_to_write> const& values,
@@ -42,6 +47,7 @@ private:
 
     line_plan const& plan_;
     std::vector<read_part> parts_{};
+    std::optional<line_clients> clients_{}; ///< outlive the line
     std::optional<open_line> line_{};
     exchange_counts counts_{};
 };

@@ -12,6 +12,7 @@
 #include "line_board.hpp"
 #include "line_rounds.hpp"
 #include "opened_line.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool::gateway {
 
@@ -42,7 +43,9 @@ public:
 private:
     void run()
     {
-        opened_line line{*plan};
+        opened_line line{*plan, [this](std::string const& text) {
+                             board.tell({event_kind::note, unix_now(), {}, plan->name + ": " + plain_text(text)});
+                         }};
         line_rounds rounds{*plan, line, board, stored_};
         while (not shall_end_) {
             rounds.step();

@@ -203,14 +203,17 @@ def meter():
 
 
 def text_of(port, lines, site="hall", gateway="g1", **broker):
-    """A file of the gateway. A line: {"name", "port", ..., "devices": [{...}]}."""
+    """A file of the gateway. A line: {"name", "port", ..., "serve": {...}, "devices": [{...}]}."""
     said = [f'site = "{site}"', f'gateway = "{gateway}"']
     said += [f"{name} = {json.dumps(value)}" for name, value in broker.pop("top", {}).items()]
     said += ["[broker]", 'host = "127.0.0.1"', f"port = {port}"]
     said += [f"{name} = {json.dumps(value)}" for name, value in broker.items()]
     for line in lines:
         said.append("[[line]]")
-        said += [f"{name} = {json.dumps(value)}" for name, value in line.items() if name != "devices" and value is not None]
+        said += [f"{name} = {json.dumps(value)}" for name, value in line.items() if name not in ("devices", "serve") and value is not None]
+        if "serve" in line:
+            said.append("[line.serve]")
+            said += [f"{name} = {json.dumps(value)}" for name, value in line["serve"].items()]
         for device in line["devices"]:
             said.append("[[line.device]]")
             said += [f"{name} = {value if name == 'groups' else json.dumps(value)}" for name, value in device.items()]
