@@ -3,6 +3,7 @@
 """What makes the site refuses what is wrong: a dead link, an unlisted page, a block that differs from its program, an error
 without a remedy, a refusal without its sentence."""
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -367,6 +368,40 @@ class Inherited(unittest.TestCase):
                              ("poller", "settled outcome"), ("single_request", "settled outcome")):
             words = {each.name for each in inherited.members(shown[name]) if each.access == "public"}
             self.assertLessEqual(set(called.split()), words, name)
+
+
+CONSTRUCTOR = re.compile(r"(?:template\s*<.*?>\s*)?(?:requires\s*\(.*?\)\s*)?(?:(?:constexpr|explicit|consteval)\s+)*(\w+)\s*\(", re.DOTALL)
+
+
+def constructors(name, one):
+    """The public constructors of a class: each with its comment."""
+    inside, access = one.text[one.begin + 1:one.end], "public" if one.is_struct else "private"
+    code = inherited.without_starts(inherited.declarations.code_of(inside))
+    for _, begin, end in inherited.declarations.statements(code):
+        while label := inherited.LABEL.match(code, begin):
+            access, begin = label[1], label.end()
+        first = begin + len(code[begin:end]) - len(code[begin:end].lstrip())
+        found = CONSTRUCTOR.match(code[first:end])
+        if access == "public" and found and found[1] == name:
+            yield inside[first:end], inherited.declarations.comment_before(inside, inside.rfind("\n", 0, first) + 1)
+
+
+class Constructors(unittest.TestCase):
+    def found(self, words):
+        return [comment for _, comment in constructors("a", inherited.classes(f"class a {{\n{words}}};\n")["a"])]
+
+    def test_public_ones_with_their_comments(self):
+        self.assertEqual(self.found("    a(int);\npublic:\n    /// Of a number.\n    explicit constexpr a(long x) : x_{x} {}\n    a() = default;\n    void b();\n"),
+                         ["Of a number.", ""])
+
+    def test_the_reference_says_something_of_each(self):
+        with tempfile.TemporaryDirectory() as place:
+            headers.stage(PROJECT, pathlib.Path(place))
+            found = [(path.name, words, comment) for path in sorted(pathlib.Path(place).rglob("*.hpp"))
+                     for name, one in inherited.classes(path.read_text(encoding="utf-8")).items() for words, comment in constructors(name, one)]
+        self.assertGreater(len(found), 120)
+        self.assertEqual([f"{file}: {words[:100]}" for file, words, comment in found if not comment and "#endif" not in words], [],
+                         "with the second branch of an #if, whose comment stands before both, left out")
 
 
 class Diagrams(unittest.TestCase):

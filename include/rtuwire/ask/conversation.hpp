@@ -67,6 +67,7 @@ struct frame_sizes {
 /// so they have to live no longer than the call that returned them.
 class request_frame {
 public:
+    /// A frame with its CRC; `again` says whether a lost one may be sent once more.
     explicit constexpr request_frame(byte_view frame, repetition again = repetition::allowed) noexcept
         : frame_{frame}, again_{again}
     {}
@@ -74,6 +75,7 @@ public:
     /// Bytes that end with the statement cannot become a request.
     template <std::size_t Size>
     request_frame(std::array<std::byte, Size> const&&, repetition = repetition::allowed) = delete;
+    /// Deleted: a temporary frame would be gone before the client copies it.
     template <std::size_t Size>
     request_frame(detail::fixed_buffer<Size> const&&, repetition = repetition::allowed) = delete;
 
@@ -89,7 +91,9 @@ private:
 /// a broadcast. A view of the client's memory, valid until the client takes the next request.
 class response {
 public:
+    /// Empty, as behind a broadcast.
     constexpr response() noexcept = default;
+    /// Views a PDU, function code and data, which must outlive it.
     explicit constexpr response(byte_view pdu) noexcept : pdu_{pdu} {}
 
     /// The PDU. By value, so that no loop over it holds a reference into a response that is gone; constructed anew,

@@ -54,6 +54,7 @@ public:
 
     using snapshot = typename Plan::snapshot;
 
+    /// Asks this station for one round of the plan.
     explicit constexpr poller(station<typename Plan::device> const& of) noexcept
         : frames_{detail::read_frames<Plan>(of.unit())}
     {}

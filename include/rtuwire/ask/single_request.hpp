@@ -150,6 +150,7 @@ public:
 
     using base::base;
 
+    /// Asks `whom`, a unit address or a station; the request is copied.
     template <typename To>
     constexpr single_request(To whom, Request const& its_request) noexcept
         : base{detail::where_it_may_go<Request>(whom), its_request}

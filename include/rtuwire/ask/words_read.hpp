@@ -88,6 +88,7 @@ public:
     static constexpr bool keeps_meaning = true;
     static constexpr function_set asks{function_that_reads(Space)};
 
+    /// Reads `Count` registers from `start` on.
     constexpr words_read(unit_id whom, std::uint16_t start) noexcept : frame_{read_frame(whom, Space, start, Count)} {}
 
     /// Reads once more; it is then no longer settled.
@@ -178,6 +179,7 @@ private:
 /// this is worth one request before the first write. For a client without `has_line_echo`.
 class line_echo_probe : public detail::word_read {
 public:
+    /// Asks this unit for one register.
     explicit constexpr line_echo_probe(unit_id unit) noexcept : detail::word_read{unit, address} {}
 
     /// Whether the line echoes; `busy` until it is settled. Errors: those of the client, where the unit did not

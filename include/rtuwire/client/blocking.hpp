@@ -113,6 +113,7 @@ public:
     template <typename Sink> using traced_by = blocking_client<Port, detail::traced_needs<Needs, Sink>>;
     template <typename Counts> using observed_by = blocking_client<Port, detail::observed_needs<Needs, Counts>>;
 
+    /// With these times, whatever the port is set to.
     blocking_client(Port& its_port, line_timing const& its_line, client_options const& its_options = {}) noexcept
         requires(not detail::told_by<Needs>::is_fixed)
         : port_{its_port}, client_{its_line, its_options}, write_limit_{time_to_write(its_line, its_options)}
@@ -124,6 +125,7 @@ public:
         requires(detail::timed_port<Port> or detail::told_by<Needs>::is_fixed)
         : port_{its_port}, client_{made_for(its_port)}, write_limit_{time_to_write(client_.line(), Needs.options)}
     {}
+    /// With the port's times as they are now, and these options.
     blocking_client(Port& its_port, client_options const& its_options) noexcept
         requires(detail::timed_port<Port> and not detail::told_by<Needs>::is_fixed)
         : blocking_client{its_port, its_port.timing(), its_options}

@@ -81,6 +81,7 @@ public:
     /// The same that counts: `bus<30>::observed_by<unit_statistics<30>>`.
     template <typename Counts> using observed_by = bus<Slots, detail::observed_needs<Needs, Counts>>;
 
+    /// With these times and options, which are copied.
     explicit constexpr bus(line_timing const& its_line, client_options const& its_options = {},
                            bus_options const& share = {}) noexcept requires(not needed::is_fixed)
         : client_{its_line, its_options}

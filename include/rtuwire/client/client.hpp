@@ -62,6 +62,7 @@ public:
     /// The same that counts: `drive_client<3>::observed_by<unit_statistics<3>>`.
     template <typename Counts> using observed_by = basic_client<detail::observed_needs<Needs, Counts>>;
 
+    /// With these times and options, which are copied.
     explicit constexpr basic_client(line_timing const& its_timing, client_options const& its_options = {}) noexcept
         requires(not needed::is_fixed)
         : schedule_{its_timing, its_options}

@@ -108,6 +108,7 @@ constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
 /// any after it, and `ok()` turns false for good.
 class byte_writer {
 public:
+    /// Writes from the begin of `target`, which must outlive it.
     explicit constexpr byte_writer(byte_span target) noexcept
         : begin_{target.data()}, next_{begin_}, end_{begin_ + target.size()}
     {}

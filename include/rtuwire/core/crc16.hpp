@@ -44,6 +44,7 @@ inline constexpr std::uint16_t nibble[16] = {shifted(0, 4),  shifted(1, 4),  shi
 template <std::size_t Count> struct distances {
     std::uint16_t at[Count][256]{};
 
+    /// Computes the tables.
     constexpr distances() noexcept
     {
         for (unsigned bit = 1; bit < 256; bit *= 2) {
@@ -318,6 +319,7 @@ inline constexpr crc_form default_crc_form = crc_form::RTUWIRE_CRC_FORM;
 /// the byte table.
 template <crc_form Form = detail::default_crc_form> class running_crc16 {
 public:
+    /// Of no byte yet.
     constexpr running_crc16() noexcept = default;
     /// Continues after bytes whose CRC is `from`.
     explicit constexpr running_crc16(std::uint16_t from) noexcept : state_{from} {}

@@ -29,6 +29,7 @@ concept character_view =
 /// Characters that live as long as the program, without a terminating zero.
 class literal {
 public:
+    /// An empty text.
     constexpr literal() noexcept = default;
 
     /// The characters of a string literal.

@@ -68,6 +68,7 @@ public:
     using rep = Rep;
     using scale = typename Scale::type;
 
+    /// Zero.
     constexpr quantity() noexcept = default;
 
     /// `count` steps.

@@ -59,6 +59,7 @@ template <typename Amount> [[nodiscard]] constexpr bool has_part_of_a_microsecon
 struct duration {
     std::uint32_t microseconds{0};
 
+    /// Zero.
     constexpr duration() noexcept = default;
 
     /// `count` microseconds. Explicit, so that the bare 200 of `{.response_timeout = 200}` is refused.

@@ -161,6 +161,7 @@ inline void set_up_connection(int socket) noexcept
 /// `.with_silence(milliseconds(5))` or more.
 class tcp_stream {
 public:
+    /// Not connected.
     tcp_stream() = default;
 
     /// Connects to a host by its name or its IPv4 or IPv6 number, to the first of its addresses that answers, within a

@@ -500,6 +500,7 @@ template <detail::direction Way, typename Line = detail::stored<line_timing>> cl
     using state = detail::framer_state<Way, detail::frame_place<0>, Line>;
 
 public:
+    /// With the silences of this line.
     explicit constexpr framer(line_timing const& timing) noexcept : memory_{timing} {}
 
     /// For compile-time timing. Zero-initialised, so a `constinit` framer lives in .bss.

@@ -58,6 +58,7 @@ public:
     /// Zero-initialised: a `constinit` queue takes no flash.
     constexpr interrupt_queue() noexcept = default;
 
+    /// Deleted: an interrupt knows it by its address.
     interrupt_queue(interrupt_queue const&) = delete;
     interrupt_queue& operator=(interrupt_queue const&) = delete;
 

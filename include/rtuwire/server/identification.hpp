@@ -63,6 +63,7 @@ public:
     static constexpr std::size_t head_size = 2;       ///< number and length
     static constexpr std::size_t max_text_size = 244; ///< of an object that fills a page
 
+    /// None.
     constexpr device_objects() noexcept = default;
 
     /// Objects encoded as in a response, for objects known only at run time. `malformed` unless the first is the

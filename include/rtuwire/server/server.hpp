@@ -113,6 +113,7 @@ public:
         : basic_server{its_unit, its_timing, default_profile}
     {}
 
+    /// Deleted: a temporary profile would be gone.
     basic_server(unit_id, line_timing const&, server_profile&&) = delete;
 
     /// Listens as these units, each of which has its bank: made by `for_units`.

@@ -30,9 +30,11 @@ template <register_bank Bank> struct bank_at {
     Bank& bank;
     server_profile const& profile;
 
+    /// This bank at this address, with the functions that the profile allows.
     constexpr bank_at(unit_id its_unit, Bank& served, server_profile const& allowed = every_function) noexcept
         : address{its_unit}, bank{served}, profile{allowed}
     {}
+    /// Deleted: a temporary profile would be gone.
     bank_at(unit_id, Bank&, server_profile const&&) = delete;
 
 private:

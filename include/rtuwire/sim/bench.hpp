@@ -423,6 +423,7 @@ template <typename Link, detail::line_end... Units> class bench : public detail:
     using base = detail::basic_bench<Link, line, Units...>;
 
 public:
+    /// Copies the client or bus, and makes the other ends; the line has its bit rate and format.
     template <typename... Ends>
     explicit constexpr bench(Link const& link, Ends const&... ends) noexcept
         : base{link.line(), line{link.line(), 1}, link, ends...}

@@ -97,6 +97,7 @@ void unit_address_is_outside_the_range_of_this_device();
 /// A unit address in source code that a device can be set to.
 template <device_type Device> class unit_of {
 public:
+    /// An address in source code; one outside of the device's range does not compile.
     consteval unit_of(unit_id unit) noexcept : unit_{unit}
     {
         if (not Device::units.contains(unit.byte())) {

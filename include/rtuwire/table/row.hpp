@@ -153,8 +153,10 @@ inline constexpr parameter_type bits_of_a_list{.kind = parameter_kind::bits};
 /// What a row holds: an amount in a unit, one of a list of choices, or bits.
 class held_values {
 public:
+    /// An amount, or bits, of this type, which must outlive it.
     constexpr held_values(parameter_type const& type) noexcept : type_{&type} {}
 
+    /// One of these choices, which must outlive it.
     template <std::size_t Count>
     constexpr held_values(choice const (&list)[Count], parameter_type const& type = detail::one_of_a_list) noexcept
         : type_{&type}, own_{list}
@@ -190,9 +192,13 @@ struct row_access {
 /// What the row of any device holds: what one of a drive does, or a number of several words, or a bit.
 class row_values {
 public:
+    /// What a row of a drive holds.
     constexpr row_values(held_values word) noexcept : word_{word} {}
+    /// An amount, or bits, in one word.
     constexpr row_values(parameter_type const& type) noexcept : word_{type} {}
+    /// A number of this form, of one to four words.
     constexpr row_values(form_type const& form) noexcept : word_{form.amount}, form_{&form}, has_form_{true} {}
+    /// One of these choices.
     template <std::size_t Count> constexpr row_values(choice const (&list)[Count]) noexcept : word_{list} {}
 
     [[nodiscard]] constexpr parameter_type const* operator->() const noexcept { return word_.operator->(); }

@@ -63,6 +63,7 @@ template <typename Left, typename Right>
 template <std::size_t Size> struct mnemonic {
     char letters[Size]{};
 
+    /// Copies the letters.
     consteval mnemonic(char const (&text)[Size]) noexcept
     {
         for (std::size_t i = 0; i < Size; ++i) {

@@ -48,6 +48,7 @@ public:
     /// Zero-initialised: a `constinit` ring takes no flash.
     constexpr trace_ring() noexcept = default;
 
+    /// Deleted: a client keeps its address.
     trace_ring(trace_ring const&) = delete;
     trace_ring& operator=(trace_ring const&) = delete;
 

@@ -73,6 +73,7 @@ template <typename Bytes = byte_view> struct raw_pdu {
     function_code function; ///< 1..127
     Bytes data;             ///< up to 252
 
+    /// A function code and the bytes behind it.
     constexpr raw_pdu(function_code its_code, Bytes const& its_bytes) noexcept : function{its_code}, data{its_bytes} {}
 
     /// Not a view of a temporary, whose bytes are gone after the expression.

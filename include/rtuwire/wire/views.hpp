@@ -52,6 +52,7 @@ constexpr void require_register(std::size_t index, std::size_t count) noexcept
 /// A view of big-endian 16-bit registers; valid as long as its bytes.
 class register_view {
 public:
+    /// No registers.
     constexpr register_view() noexcept = default;
 
     /// The registers that lie in these bytes; an odd last byte is not part of any.
@@ -119,6 +120,7 @@ private:
 /// `Count` registers in wire order, stored in place.
 template <std::size_t Count> class register_block {
 public:
+    /// No registers.
     constexpr register_block() noexcept = default;
 
     /// One register for each value.
@@ -206,6 +208,7 @@ constexpr void copy_bits(byte_span to, std::size_t to_at, byte_view from, std::s
 /// A view of bits; valid as long as its bytes.
 class bit_view {
 public:
+    /// No bits.
     constexpr bit_view() noexcept = default;
 
     /// The first `count` bits of these bytes, or all of them where there are fewer.
@@ -244,6 +247,7 @@ private:
 /// `Count` bits in wire order, stored in place: `bit_block{true, false, true}`.
 template <std::size_t Count> class bit_block {
 public:
+    /// No bits.
     constexpr bit_block() noexcept = default;
 
     /// One bit for each value.

@@ -308,6 +308,7 @@ public:
                                        Device::cycle.by};
     static constexpr frame_sizes longest_frames = cycle_frames<Device>::longest;
 
+    /// A cycle of this drive, which orders nothing before `run` or `stop`.
     explicit constexpr cyclic(station<Device> const& its_drive, cyclic_options const& its_options = {}) noexcept
         : commander{its_drive.unit()}, enable_timeout_{its_options.enable_timeout},
           tolerated_misses_{its_options.tolerated_misses}, steps_{its_drive.unit(), its_options}

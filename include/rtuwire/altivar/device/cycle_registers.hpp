@@ -51,6 +51,7 @@ class cycle_addresses {
 public:
     static constexpr std::size_t most = 8;
 
+    /// Takes the addresses in the order of the words; more than `most` do not compile.
     template <std::convertible_to<std::uint16_t>... Addresses>
         requires(sizeof...(Addresses) <= most)
     constexpr cycle_addresses(Addresses... addresses) noexcept

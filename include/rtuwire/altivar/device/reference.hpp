@@ -79,11 +79,13 @@ template <device_type Device> class reference {
     using hertz_setting = setting<Device::frequency_reference>;
 
 public:
+    /// A speed in source code; one that the register of the speed reference cannot hold does not compile.
     template <std::integral Rep, typename Scale>
     consteval reference(quantity<rotation, Rep, Scale> value) noexcept
         : write_{Device::speed_reference.address, speed{value}.word(), true}
     {}
 
+    /// A frequency in source code; one that the register of the frequency reference cannot hold does not compile.
     template <std::integral Rep, typename Scale>
     consteval reference(quantity<frequency, Rep, Scale> its_value) noexcept
         : write_{Device::frequency_reference.address, hertz_setting{its_value}.word()}
@@ -100,6 +102,7 @@ public:
 
     /// A setting that was checked at run time.
     constexpr reference(speed value) noexcept : write_{Device::speed_reference.address, value.word(), true} {}
+    /// A frequency known at run time, which was checked.
     constexpr reference(hertz_setting value) noexcept : write_{Device::frequency_reference.address, value.word()} {}
 
     [[nodiscard]] constexpr reference_write write() const noexcept { return write_; }

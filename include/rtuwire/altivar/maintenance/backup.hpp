@@ -41,6 +41,7 @@ template <typename Sink> class backup : public detail::finite_conversation {
 public:
     static constexpr function_set asks{function_code::read_holding_registers};
 
+    /// Reads the parameters of `its_map` from this drive; the sink is copied.
     template <device_type Device>
     constexpr backup(station<Device> const& its_drive, parameter_map const& its_map, Sink its_sink) noexcept
         : map_{its_map}, sink_{its_sink}, walk_{Device::limits.read}, unit_{its_drive.unit()}
@@ -191,6 +192,7 @@ enum class comparison : std::uint8_t {
 ///     altivar::backup check{drive, atv320::parameters, altivar::compared_with{wanted, report}};
 template <typename Wanted, typename Report> class compared_with {
 public:
+    /// Copies both; neither throws.
     constexpr compared_with(Wanted its_wanted, Report its_report) noexcept : wanted_{its_wanted}, report_{its_report} {}
 
     constexpr void operator()(parameter_group const& group, parameter const& row,

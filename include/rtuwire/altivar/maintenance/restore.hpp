@@ -152,6 +152,8 @@ public:
 
     using commander::unit;
 
+    /// Writes to this drive what is wanted of the map's parameters; the map's groups and the wanted words outlive it,
+    /// the report is copied.
     constexpr restore(station<Device> const& its_drive, parameter_map const& map,
                       wanted_settings<Words> const& its_wanted, Report report,
                       restore_options const& options = {}) noexcept

@@ -26,6 +26,7 @@ namespace altivar {
 /// does not begin so, or goes on for more than 8 characters before its number ends.
 class drive_family {
 public:
+    /// Unknown.
     constexpr drive_family() noexcept = default;
 
     /// The family that a text names.

@@ -86,6 +86,7 @@ template <device_type Device> class unit {
     static_assert(detail::drive_needs<Device>::met);
 
 public:
+    /// A drive at this address, switched on at `power_on`, which identifies itself as its manual prints.
     constexpr unit(unit_id its_address, line_timing const& its_line, instant power_on) noexcept
         : unit{its_address, its_line, power_on, line_profile<Device>::value}
     {}

@@ -153,6 +153,7 @@ class line {
 public:
     static constexpr unsigned max_senders = 8;
 
+    /// At this rate and format; the same seed gives the same faults.
     constexpr line(std::uint32_t bits_per_second, character_format format, std::uint32_t seed) noexcept
         : random_{seed}, bit_ns_{1'000'000'000U / bits_per_second}, format_{format}
     {}

@@ -23,6 +23,7 @@ inline namespace RTUWIRE_BUILD {
 /// Up to `Capacity` characters from registers, stored in place, without a terminating zero.
 template <std::size_t Capacity> class ascii_text {
 public:
+    /// An empty text.
     constexpr ascii_text() noexcept = default;
 
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }

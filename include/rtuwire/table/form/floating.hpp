@@ -79,6 +79,7 @@ public:
     using scale = typename Unit::scale;
     using rep = Float;
 
+    /// Zero.
     constexpr real() noexcept = default;
 
     /// `count` steps of the unit.

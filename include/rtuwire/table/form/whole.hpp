@@ -140,7 +140,9 @@ public:
     static_assert(power_of_unit > detail::no_power_of_ten,
                   "this step is no power of ten: name a unit of which it is one");
 
+    /// Zero.
     constexpr scaled() noexcept = default;
+    /// `count` times ten to the power of `exponent`, in steps of `Unit`.
     constexpr scaled(typename Unit::rep count, int exponent) noexcept
         : count_{count}, exponent_{static_cast<std::int8_t>(exponent)}
     {}

@@ -435,6 +435,7 @@ concept byte_sink = requires(Out& out, byte_view block)
 /// Before `begin` it drops every frame.
 template <byte_sink Out> class pcapng_writer {
 public:
+    /// Copies the sink; nothing is written yet.
     explicit constexpr pcapng_writer(Out out) noexcept : out_{out} {}
 
     /// Writes the blocks with which a file begins, and takes frames from now on.

@@ -242,6 +242,7 @@ private:
 /// Runs as they stand in a received request.
 class file_runs {
 public:
+    /// None.
     constexpr file_runs() noexcept = default;
     /// Internal: bytes of whole runs.
     explicit constexpr file_runs(byte_view bytes) noexcept : bytes_{bytes} {}

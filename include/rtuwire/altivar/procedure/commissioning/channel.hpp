@@ -51,6 +51,7 @@ template <device_type Device> class channel_settings {
 public:
     static_assert(at.chcf != 0, "this device has no channel to set");
 
+    /// No channel to set yet.
     constexpr channel_settings() noexcept = default;
 
     /// The same with CHCF, CD1, FR1 or FLO set to `value`.
@@ -302,6 +303,7 @@ private:
 /// look fails, 0000 is sent, too. Nothing is saved; `save_to_eeprom` does that.
 class set_channel : public procedure_runner<channel_procedure> {
 public:
+    /// Sets what is wanted on this drive; it ends after `limit` at the latest, but for the last look.
     template <device_type Device>
     constexpr set_channel(station<Device> const& its_drive, channel_settings<Device> const& wanted,
                           terminal_options const& its_options = {}, duration its_limit = milliseconds(10'000)) noexcept

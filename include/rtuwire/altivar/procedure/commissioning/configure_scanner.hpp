@@ -98,6 +98,7 @@ private:
 /// set: each cycle would write the EEPROM.
 template <typename Inputs, typename Outputs> class configure_scanner : public procedure_runner<scanner_procedure> {
 public:
+    /// Sets the scanner of this drive, within `limit`.
     template <device_type Device>
     explicit constexpr configure_scanner(station<Device> const& drive, duration limit = milliseconds(5'000)) noexcept
         : procedure_runner{

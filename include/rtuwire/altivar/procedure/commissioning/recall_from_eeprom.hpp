@@ -21,6 +21,7 @@ namespace altivar {
 /// CMI is cleared, if the drive still receives that.
 class recall_from_eeprom : public procedure_runner<cmi_order_procedure> {
 public:
+    /// Recalls the settings of this drive, within the limit.
     template <device_type Device>
     explicit constexpr recall_from_eeprom(station<Device> const& its_drive, terminal_options const& its_options = {},
                                           duration its_limit = milliseconds(8'000)) noexcept

@@ -127,6 +127,7 @@ private:
 /// look fails, it activates the link, too. `not_taken` where the drive reports that the link still commands.
 class release_link : public procedure_runner<link_procedure> {
 public:
+    /// Releases this drive, within `limit`, but for the last look.
     explicit constexpr release_link(station<device> const& drive, terminal_options const& options = {},
                                     duration limit = milliseconds(3'000)) noexcept
         : procedure_runner{drive.unit(), link_procedure{true, options}, limit}
@@ -137,6 +138,7 @@ public:
 /// it, and by an exception in forced local.
 class activate_link : public procedure_runner<link_procedure> {
 public:
+    /// Takes this drive, within `limit`.
     explicit constexpr activate_link(station<device> const& drive, duration limit = milliseconds(3'000)) noexcept
         : procedure_runner{drive.unit(), link_procedure{false, terminal_options{.run_inputs = 0}}, limit}
     {}

@@ -18,6 +18,7 @@ namespace altivar {
 
 /// The caller's statement: the line's control and the drive's address may be lost afterwards.
 struct losing_control_and_address {
+    /// Written out by the caller: `losing_control_and_address{}`.
     explicit constexpr losing_control_and_address() noexcept = default;
 };
 
@@ -28,6 +29,7 @@ struct losing_control_and_address {
 /// once. A good end is `executed_unconfirmed`; it never ends as `succeeded`, and as `silent` only before the order.
 class restore_factory_settings : public procedure_runner<cmi_order_procedure> {
 public:
+    /// Restores this drive, within the limit; the second argument is the caller's statement.
     template <device_type Device>
     constexpr restore_factory_settings(station<Device> const& drive, losing_control_and_address,
                                        terminal_options const& options = {},

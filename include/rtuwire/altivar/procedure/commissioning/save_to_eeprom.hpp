@@ -126,6 +126,7 @@ private:
 /// cleared at the end, also where the save failed.
 class save_to_eeprom : public procedure_runner<save_procedure> {
 public:
+    /// Saves the settings of this drive, within `limit`.
     template <device_type Device>
     explicit constexpr save_to_eeprom(station<Device> const& drive, duration limit = milliseconds(5'000)) noexcept
         : procedure_runner{drive.unit(), save_procedure{drive_check<Device>::layout}, limit}

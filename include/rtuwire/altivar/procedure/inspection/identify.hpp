@@ -34,6 +34,7 @@ template <device_type Device> class identify : public detail::finite_conversatio
 public:
     static constexpr function_set asks{function_code::encapsulated_interface};
 
+    /// Asks this drive who it is.
     explicit constexpr identify(station<Device> const& its_drive) noexcept : unit_{its_drive.unit()}
     {
         prepare(vendor_name);

@@ -48,6 +48,7 @@ public:
                                                         .freshness = freshness::when_free};
     static constexpr function_set asks{function_code::read_holding_registers};
 
+    /// Watches this drive, with the period of the options.
     explicit constexpr watch(station<Device> const& its_drive, watch_options const& its_options = {}) noexcept
         : options_{its_options}, unit_{its_drive.unit()}
     {}

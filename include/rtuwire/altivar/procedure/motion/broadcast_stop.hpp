@@ -120,6 +120,7 @@ public:
     static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register};
     static constexpr frame_sizes longest_frames = procedure_conversation::longest_frames;
 
+    /// Stops these drives, by the options, which are copied.
     template <device_type... Device>
     explicit constexpr broadcast_stop(broadcast_stop_options const& options, station<Device> const&... drives) noexcept
         : commander{broadcast}, stops_{stop{drives, options.freewheel ? stop_by::freewheel : stop_by::quick_stop,
@@ -128,6 +129,7 @@ public:
     {
         begin_rounds();
     }
+    /// Stops these drives, by the options' defaults.
     template <device_type... Device>
     explicit constexpr broadcast_stop(station<Device> const&... drives) noexcept
         : broadcast_stop{broadcast_stop_options{}, drives...}

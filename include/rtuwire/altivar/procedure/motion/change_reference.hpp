@@ -286,6 +286,7 @@ private:
 /// as `stop_key` if that stopped it.
 class change_reference : public procedure_runner<reference_procedure> {
 public:
+    /// Changes the reference of this drive, within `limit`.
     template <device_type Device>
     constexpr change_reference(station<Device> const& drive, std::type_identity_t<reference<Device>> const& to,
                                duration limit = milliseconds(30'000),

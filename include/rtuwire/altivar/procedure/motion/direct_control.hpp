@@ -57,6 +57,7 @@ inline constexpr drive_layout stopping_by = [] {
 /// `stop` sends its word first: prefer it where time matters.
 class direct_stop : public procedure_runner<ordered_stop_procedure> {
 public:
+    /// Stops this drive, within `limit`.
     constexpr direct_stop(station<device> const& drive, direct_stop_by how,
                           duration limit = milliseconds(30'000)) noexcept
         : procedure_runner{drive.unit(), ordered_stop_procedure{layout_stopping_by(how), stop_by::dc_injection}, limit}
@@ -314,6 +315,7 @@ private:
 /// first checked as by a `start`.
 class direct_start : public procedure_runner<direct_start_procedure> {
 public:
+    /// Checks this drive, and starts it within `limit`.
     constexpr direct_start(station<device> const& drive, reference<device> const& at,
                            duration limit = milliseconds(3'000), supervision_options const& options = {}) noexcept
         : procedure_runner{
@@ -321,6 +323,7 @@ public:
               direct_start_procedure{at.write(), supervision_procedure{device::layout, options, at.write().is_speed}},
               limit}
     {}
+    /// Starts it with what a `check_supervision` found before, within `limit`.
     constexpr direct_start(station<device> const& drive, reference<device> const& at, duration limit,
                            supervision_report const& found, beyond_limits beyond = beyond_limits::refuse) noexcept
         : procedure_runner{drive.unit(),

@@ -157,6 +157,7 @@ private:
 /// before the drive showed a state.
 class reset_fault : public procedure_runner<reset_procedure> {
 public:
+    /// Resets the fault of this drive, within the limit.
     template <device_type Device>
     explicit constexpr reset_fault(station<Device> const& its_drive, duration its_limit = milliseconds(2'000)) noexcept
         : procedure_runner{its_drive.unit(), reset_procedure{drive_check<Device>::layout}, its_limit}
