@@ -36,7 +36,7 @@ def identifier(path):
 
 def slug(heading):
     """The anchor that git hosts make of a heading."""
-    plain = re.sub(r"[`*_]|\]\([^)]*\)|\[", "", heading).lower()
+    plain = re.sub(r"[`*]|\]\([^)]*\)|\[", "", heading).lower()
     return re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
 
 
