@@ -4,9 +4,8 @@
 its headings, its links lead to pages of the site, and its marks are replaced:
 
     <!-- snippet: examples/03_poll_a_drive.cpp plan -->   the region of that name stands in the block of code behind it
-    <!-- generated: registers atv320 -->                   what the build makes; a line `> On the site...` behind it, which a git
-                                                           host shows instead, is left out
-    <!-- table: limits atv320 -->                          what the build makes stands behind it (tables_in_pages.py)
+    <!-- made: registers atv320 -->                        what the build makes stands here; what is kept for git hosts, up to
+                                                           `<!-- end -->`, is left out (tables_in_pages.py makes it)
 """
 import os
 import re
@@ -15,9 +14,8 @@ FENCE = re.compile(r"^( *)(```+)(.*)$")
 HEADING = re.compile(r"^(#{1,4}) +(.*?)\s*$")
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)")
 SNIPPET = re.compile(r"^ *<!-- snippet: (\S+) (\S+) -->$")
-GENERATED = re.compile(r"^<!-- generated: (.+?) -->$")
-TABLE = re.compile(r"^<!-- table: (.+?) -->$")
-HOST_NOTE = "> On the site"
+MADE = re.compile(r"^<!-- made: (.+?) -->$")
+END = "<!-- end -->"
 FILE_NAME = re.compile(r"[\w/.-]+\.md|docs/")
 NEEDS_CONTENTS = 5
 
@@ -159,8 +157,11 @@ class Pages:
         """The page for Doxygen."""
         text = self.texts[page]
         has_contents = len(headings(text)) > NEEDS_CONTENTS and page != "README.md"
-        out, snippet, bold, is_made, table = [], None, Bold(page), False, []
+        out, snippet, bold, made = [], None, Bold(page), None
         for line, is_code in lines_with_code(text):
+            if made:
+                made = None if line == END and not is_code else made
+                continue
             if is_code:
                 if snippet:
                     snippet = self.skip_block(line, snippet, out)
@@ -172,25 +173,10 @@ class Pages:
                 snippet = mark.groups()
                 self.regions.add(snippet)
                 continue
-            if table:
-                if line != (due := table.pop(0)):
-                    raise BrokenLink(f"{page}: a table has '{line}', not '{due}' (tables_in_pages.py --write)")
-                out.append(line)
-                continue
-            kept = TABLE.match(line)
-            if kept:
-                table = self.generated(page, kept[1])
-                continue
-            made = GENERATED.match(line)
+            made = MADE.match(line)
             if made:
                 out += self.generated(page, made[1])
-                is_made = True
                 continue
-            if is_made and line.strip():
-                is_made = False
-                if line.startswith(HOST_NOTE):
-                    continue
-                raise BrokenLink(f"{page}: behind a mark of what the build makes stands '{line}', no line '{HOST_NOTE}...' for git hosts")
             heading = HEADING.match(line)
             if heading and len(heading[1]) == 1:
                 out.append(f"# {plain(page, heading[2])} {{#{identifier(page) if page != 'README.md' else 'mainpage'}}}")
@@ -200,10 +186,8 @@ class Pages:
                 out.append(f"{heading[1]} {plain(page, heading[2])} {{#{self.anchor(page, slug(heading[2]))}}}")
             else:
                 out.append(self.linked(page, bold.line(line)))
-        if table:
-            raise BrokenLink(f"{page}: its last table ends before '{table[0]}'")
-        if is_made:
-            raise BrokenLink(f"{page}: behind its last mark there is no line '{HOST_NOTE}...' for git hosts")
+        if made:
+            raise BrokenLink(f"{page}: behind '{made[0]}' there is no '{END}'")
         return "\n".join(out)
 
     @staticmethod

@@ -71,7 +71,7 @@ void print_registers(tool::drive_catalog const& drive)
         row("register", drive.name, each.code, each.address, each.name, tool::text_of(each.mode),
             tool::text_of(each.kind), step_of(each), amount_of(each.min, each), amount_of(each.max, each),
             each.factory ? tool::text_of(each, static_cast<std::uint16_t>(*each.factory)) : std::string{},
-            number_or_nothing(each.factory), tool::text_of(each.source));
+            number_or_nothing(each.factory), tool::text_of(each.source), each.is_for_driving ? "base" : "parameter");
         print_meanings(drive.name, each);
     }
 }

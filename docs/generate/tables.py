@@ -12,7 +12,7 @@ SOURCES = ("docs/generate/tables.cpp", f"{TOOL}/catalog/*.cpp", f"{TOOL}/words/w
 FLAGS = ("-std=c++20", "-O0", "-Iinclude", "-Itests", "-Itools/rtuwire")
 DRIVE = ("name", "reference", "first_unit", "last_unit", "functions", "read", "write", "exchange_read", "exchange_write",
          "sll", "tto", "chcf", "longest_silence", "size")
-REGISTER = ("code", "address", "name", "mode", "kind", "step", "lowest", "highest", "factory", "factory_raw", "source")
+REGISTER = ("code", "address", "name", "mode", "kind", "step", "lowest", "highest", "factory", "factory_raw", "source", "table")
 
 
 @dataclass

@@ -177,20 +177,14 @@ class Pages(Folder):
         with self.assertRaises(pages.BrokenLink):
             self.staged("# One\n\n**never\n\nends\n")
 
-    def test_a_git_host_is_told_of_what_the_build_makes(self):
-        out = self.staged("# One\n\n<!-- generated: it -->\n> On the site, a table stands here.\n\nMore\n", it="|a|")
-        self.assertIn("|a|", out)
-        self.assertNotIn("On the site", out)
-        self.assertIn("More", out)
-        for rest in ("\n\nMore\n", "\n"):
-            with self.assertRaises(pages.BrokenLink):
-                self.staged(f"# One\n\n<!-- generated: it -->{rest}", it="|a|")
-
-    def test_a_table_that_a_page_keeps_is_what_the_build_makes(self):
-        self.assertIn("|a|\n|b|\n\nMore", self.staged("# One\n\n<!-- table: it -->\n|a|\n|b|\n\nMore\n", it="|a|\n|b|"))
-        for rest in ("\n|a|\n|c|\n", "\n|a|\n\nMore\n", "\n\n|a|\n|b|\n", "\n|a|", ""):
-            with self.assertRaises(pages.BrokenLink):
-                self.staged(f"# One\n\n<!-- table: it -->{rest}", it="|a|\n|b|")
+    def test_what_the_build_makes_stands_in_the_place_of_what_is_kept(self):
+        out = self.staged("# One\n\n<!-- made: it -->\n| old |\n\n```mermaid\n<!-- end -->\n```\n<!-- end -->\n\nMore\n", it="|a|\n|b|")
+        self.assertIn("\n|a|\n|b|\n\nMore", out)
+        self.assertNotIn("old", out)
+        self.assertNotIn("mermaid", out)
+        self.assertIn("|a|\nMore", self.staged("# One\n\n<!-- made: it -->\n<!-- end -->\nMore\n", it="|a|"))
+        with self.assertRaises(pages.BrokenLink):
+            self.staged("# One\n\n<!-- made: it -->\n| old |\n\nMore\n", it="|a|")
 
     def test_a_dead_link(self):
         for link in ("docs/none.md", "docs/other.md#none", "#none"):
@@ -199,7 +193,7 @@ class Pages(Folder):
 
     def test_what_nothing_makes(self):
         with self.assertRaises(pages.BrokenLink):
-            self.staged("# One\n\n<!-- generated: nothing -->\n")
+            self.staged("# One\n\n<!-- made: nothing -->\n<!-- end -->\n")
 
     def test_a_region_is_taken_from_its_program(self):
         out = self.staged("# One\n\n<!-- snippet: examples/a.cpp part -->\n```cpp\nold\n```\nend\n")
