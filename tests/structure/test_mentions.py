@@ -25,6 +25,7 @@ class Mentions(unittest.TestCase):
     def test_what_others_named(self):
         self.assertEqual(of_page("`v_sf`", page="docs/registers.md"), [])
         self.assertEqual(len(of_page("`v_sf`", page="docs/tool.md")), 1)
+        self.assertEqual(of_page("`modbus_connect`, `nmbs_t`"), [])
 
     def test_files_and_examples(self):
         self.assertEqual(of_page("`docs/b.md` `tests/wire/NAME.cpp` `build/docs/html/a.html` `docs/b`", files={"docs/b.md"}), [])
