@@ -12,7 +12,7 @@ import sys
 PAGE = "docs/examples.md"
 FIRST = re.compile(r"^// Lesson (\d+): \S")
 BUILDS_ON = re.compile(r"Builds on lessons? ([\d, and]+)\.")
-ROW = re.compile(r"^\| `(\d\d_\w+)` \|[^|]+\|([^|]*)\|$", re.MULTILINE)
+ROW = re.compile(r"^\| \[(\d\d_\w+)\]\(\.\./examples/\1\.cpp\) \|[^|]+\|([^|]*)\|$", re.MULTILINE)
 
 
 def head(text):

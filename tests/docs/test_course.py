@@ -5,7 +5,7 @@ import unittest
 
 import course
 
-PAGE = "| lesson | you learn | builds on |\n| --- | --- | --- |\n| `01_a` | this | |\n| `02_b` | that | 1 |\n"
+PAGE = "| lesson | you learn | builds on |\n| --- | --- | --- |\n| [01_a](../examples/01_a.cpp) | this | |\n| [02_b](../examples/02_b.cpp) | that | 1 |\n"
 
 
 def program(said):
@@ -30,5 +30,5 @@ class Course(unittest.TestCase):
 
     def test_the_page_lists_them(self):
         self.assertEqual(len(wrong(page=PAGE.replace("| 1 |", "| |"))), 1)
-        self.assertEqual(len(wrong(page=PAGE.replace("| `02_b` | that | 1 |\n", ""))), 1)
-        self.assertEqual(len(wrong(more={"04_c": program("Lesson 4: more. Builds on lesson 2.")}, page=PAGE + "| `04_c` | more | 2 |\n")), 1)
+        self.assertEqual(len(wrong(page=PAGE.replace("| [02_b](../examples/02_b.cpp) | that | 1 |\n", ""))), 1)
+        self.assertEqual(len(wrong(more={"04_c": program("Lesson 4: more. Builds on lesson 2.")}, page=PAGE + "| [04_c](../examples/04_c.cpp) | more | 2 |\n")), 1)
