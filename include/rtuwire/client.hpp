@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Door: the client, its conversations, and registers with types. docs/names.md lists what is public.
+// Public header: the client, its conversations, and registers with types. docs/names.md lists what is public.
 #pragma once
 
 #include <rtuwire/ask/access.hpp>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Door: what is done with an Altivar drive. Its registers are in altivar/atv320.hpp and the like; the client that
-// carries it out is in client.hpp. docs/names.md lists what is public.
+// Public header: what is done with an Altivar drive. Its registers are in altivar/atv320.hpp and the like; the client
+// that carries it out is in client.hpp. docs/names.md lists what is public.
 #pragma once
 
-// What refuses a device that is no drive stands directly below this door: see altivar/atv12.hpp.
+// What refuses a device that is no drive stands directly below this header: see altivar/atv12.hpp.
 #include <rtuwire/altivar/device/drive_type.hpp>
 
 #include <rtuwire/altivar/all_drives.hpp>

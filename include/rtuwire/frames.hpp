@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Door: frames without a client or a server; encode, decode, check. docs/names.md lists what is public.
+// Public header: frames without a client or a server; encode, decode, check. docs/names.md lists what is public.
 #pragma once
 
 #include <rtuwire/core/crc16.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Door: where the operating system begins. docs/names.md lists what is public.
+// Public header: where the operating system begins. docs/names.md lists what is public.
 #pragma once
 
 #include <rtuwire/core/literal.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The door to devices of your own as rows: arrays of registers of any kind, each named by its mnemonic.
+// Public header: devices of your own as rows: arrays of registers of any kind, each named by its mnemonic.
 #pragma once
 
 #include <rtuwire/table/row.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Door: everything that needs no operating system. docs/names.md tells which smaller door a task needs.
+// Public header: everything that needs no operating system. docs/names.md says which smaller one a task needs.
 #pragma once
 
 #include <rtuwire/altivar/all.hpp>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Door: the functions of serial lines only, 07, 08, 11, 12, 17, 20, 21 and 24, and device identification, 43/14; beside
-// client.hpp or frames.hpp. docs/names.md lists what is public.
+// Public header: the functions of serial lines only, 07, 08, 11, 12, 17, 20, 21 and 24, and device identification,
+// 43/14; beside client.hpp or frames.hpp. docs/names.md lists what is public.
 #pragma once
 
 #include <rtuwire/wire/serial_line/device_identification.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Door: the server, its engine and its banks of registers. docs/names.md lists what is public.
+// Public header: the server, its engine and its banks of registers. docs/names.md lists what is public.
 #pragma once
 
 #include <rtuwire/frames.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Door: simulated drives and the line they hang on. docs/names.md lists what is public.
+// Public header: simulated drives and the line they hang on. docs/names.md lists what is public.
 #pragma once
 
 #include <rtuwire/sim/bench.hpp>

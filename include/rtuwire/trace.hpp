@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Door: frames as they passed. docs/names.md lists what is public.
+// Public header: frames as they passed. docs/names.md lists what is public.
 #pragma once
 
 #include <rtuwire/trace/capture/pcapng_writer.hpp>

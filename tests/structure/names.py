@@ -22,7 +22,7 @@ QUALIFIED = re.compile(r"\brtuwire(::\w+)*::\Z")
 LEFT_OUT = {"engine-rules.md", "size-notes.md"}
 # A name of every door has to be in each of these.
 MAIN_DOORS = ("client.hpp", "server.hpp", "drives.hpp", "sim.hpp", "port.hpp")
-EVERY_DOOR = "Every door"
+EVERY_DOOR = "Every public header"
 # Namespaces with public names; those of one drive are public by its manual, all others are internal.
 SPACES = {"rtuwire", "rtuwire::altivar", "rtuwire::altivar::roles", "rtuwire::row_words", "rtuwire::cia402", "rtuwire::sim", "rtuwire::units", "rtuwire::literals"}
 OF_A_DRIVE = re.compile(r"rtuwire::altivar::(atv\d+\w*|compact)\b")

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The door to the registers of all drives, for what goes through `altivar::all_drives`.
+// Public header: the registers of all drives, for what goes through `altivar::all_drives`.
 #pragma once
 
 #include <rtuwire/altivar/all_drives.hpp>

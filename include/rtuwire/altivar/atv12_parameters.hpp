@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The door to all parameters of the ATV12: typed access by `station<full_device>`, and rows to walk. It has all that
+// Public header: all parameters of the ATV12: typed access by `station<full_device>`, and rows to walk. It has all that
 // altivar/atv12.hpp has.
 #pragma once
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The door to the registers of the ATV310, of 2014 and of 2026. What is done with them stands in altivar/procedure and altivar/cyclic.
+// Public header: the registers of the ATV310, of 2014 and of 2026. What is done with them stands in altivar/procedure and altivar/cyclic.
 #pragma once
 
-// What refuses a mistake stands directly below this door: see altivar/atv12.hpp.
+// What refuses a mistake stands directly below this header: see altivar/atv12.hpp.
 #include <rtuwire/core/quantity.hpp>
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/table/table.hpp>

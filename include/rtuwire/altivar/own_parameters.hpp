@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The door to lists of all parameters for a drive of one's own: groups of registers, the rows that a program walks, and a
-// device with all of them.
+// Public header: lists of all parameters for a drive of one's own: groups of registers, the rows that a program walks,
+// and a device with all of them.
 #pragma once
 
 #include <rtuwire/altivar/parameters/family_words.hpp>
