@@ -12,7 +12,7 @@ namespace {
 
 //! [unit]
 struct illuminance {
-    static constexpr char symbol[] = "lx"; // what text_of shows behind a count of whole steps
+    static constexpr char symbol[] = "lx"; // what text_of shows after a count of whole steps
 };
 using lux = quantity<illuminance, std::uint16_t>;
 using decilux = quantity<illuminance, std::uint16_t, std::deci>; // steps of 0.1 lx
