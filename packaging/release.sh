@@ -89,6 +89,15 @@ step "manifests"
 /usr/bin/python3 -B "$work/$name/packaging/lay_out.py" "$work/$name" "$made/$name.tar.gz" "$made" \
     --url "$url" --home "$home" --epoch "$SOURCE_DATE_EPOCH"
 
+# Before what takes long: it is what may refuse.
+if is_made docs; then
+    step "documentation"
+    mkdir "$work/docs" "$work/source"
+    tar -xzf "$made/$name.tar.gz" -C "$work/source"
+    quietly sh "$work/source/$name/docs/build.sh" "$work/docs/$name-docs"
+    pack "$work/docs" "$name-docs" >"$made/$name-docs.tar.gz"
+fi
+
 if is_made debian; then
     step "Debian packages"
     cp "$made/$name.tar.gz" "$work/rtuwire_$version.orig.tar.gz"
@@ -106,14 +115,6 @@ fi
 
 if is_made download; then
     . "$work/$name/packaging/download/make.sh"
-fi
-
-if is_made docs; then
-    step "documentation"
-    mkdir "$work/docs" "$work/source"
-    tar -xzf "$made/$name.tar.gz" -C "$work/source"
-    quietly sh "$work/source/$name/docs/build.sh" "$work/docs/$name-docs"
-    pack "$work/docs" "$name-docs" >"$made/$name-docs.tar.gz"
 fi
 
 (
