@@ -25,7 +25,7 @@ compile="clang++-19 $target -Oz -std=c++20 -fno-rtti -fno-threadsafe-statics -fn
     -Wall -Wextra -Werror -Iinclude -Itools/rtuwire"
 
 # What explains frames in the command line tool.
-frame_sources=$(printf 'tools/rtuwire/%s.cpp ' catalog/catalog catalog/value_text words/words frame/damage frame/decode frame/frame_fields \
+frame_sources=$(printf 'tools/rtuwire/%s.cpp ' catalog/catalog catalog/value_text words/option_words words/words frame/damage frame/decode frame/frame_fields \
     frame/frame_fit frame/frame_layouts frame/frame_split frame/function_text frame/hex_text frame/register_names frame/request_layout \
     frame/response_layout frame/shared_layout frame/summary)
 

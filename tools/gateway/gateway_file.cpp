@@ -14,6 +14,7 @@
 
 #include <arpa/inet.h>
 
+#include "../support/platform.hpp"
 #include "catalog/value_text.hpp"
 #include "device/device_folders.hpp"
 #include "device/register_file.hpp"
@@ -42,8 +43,17 @@ constexpr std::size_t longest_word = 64;
 constexpr std::string_view line_options[]{"port",  "baud", "format", "timeout", "retries",
                                           "pause", "echo", "rs485",  "listen"};
 
-/// What a device of a gateway may never be written, whatever is allowed: nobody watches.
-choices const nobody_allows{.allowed = {.may_write = true, .knows_run = false}};
+/// What a device of a gateway may never be written, whatever is allowed: nobody watches. With its line and its unit for a command
+/// that a message shows.
+choices nobody_allows(line_choices const& line, unit_address unit)
+{
+    choices chosen{.line = line, .allowed = {.may_write = true, .knows_run = false}};
+    chosen.line.typed.options = " -p " + quoted(line.port);
+    chosen.line.typed.rate =
+        line.is_rate_named ? " -b " + std::to_string(line.baud) + " -f " + line.format : std::string{};
+    chosen.line.typed.unit = " -u " + std::to_string(unit.byte());
+    return chosen;
+}
 
 bool is_topic_letter(char c)
 {
@@ -175,7 +185,7 @@ setting_limits limits_of(chosen_register const& which)
 }
 
 /// Why a register is never written by a gateway; empty where it may be one of its settings.
-std::string why_no_setting(chosen_register const& which, drive_catalog const* drive)
+std::string why_no_setting(chosen_register const& which, drive_catalog const* drive, choices const& allowed)
 {
     bool const is_named = which.named != nullptr or (which.entry != nullptr and which.where.form.said.empty());
     if (not is_named or (which.entry != nullptr and which.where.bit >= 0)) {
@@ -195,9 +205,9 @@ std::string why_no_setting(chosen_register const& which, drive_catalog const* dr
         value.needed = {which.entry}; // no value yet: that is judged when it comes
     }
     try {
-        refuse_command(value, {.drive = drive, .says_it_is_none = drive == nullptr}, nobody_allows);
+        refuse_command(value, {.drive = drive, .says_it_is_none = drive == nullptr}, allowed);
         if (drive != nullptr) {
-            refuse_unsafe_write(value, *drive, nobody_allows);
+            refuse_unsafe_write(value, *drive, allowed);
         }
     } catch (ended const& why) {
         return why.what();
@@ -378,6 +388,7 @@ private:
         if (line->name == "status") {
             refuse(place_of(from, "name"), "'status' is a topic of the gateway itself");
         }
+        line->choices.typed.form = option_form::in_file;
         read_line_options(file(), text_, from, line_options, line->choices);
         line->choices.knows_registers = true;
         check_port(from, line->choices.port);
@@ -490,7 +501,7 @@ private:
         device.feeds_supervision = flag_in(from, "feeds_supervision");
         read_type(from, device, line);
         read_values(from, device);
-        read_settings(from, device);
+        read_settings(from, device, line.choices);
         line.devices.push_back(std::move(device));
     }
 
@@ -671,10 +682,11 @@ private:
         }
     }
 
-    void read_settings(toml::table const& from, device_plan& device) const
+    void read_settings(toml::table const& from, device_plan& device, line_choices const& line) const
     {
+        choices const allowed = nobody_allows(line, device.unit.unit);
         for (auto const& [which, where] : registers_in(from, "settings", device)) {
-            if (std::string const why = why_no_setting(which, device.drive); not why.empty()) {
+            if (std::string const why = why_no_setting(which, device.drive, allowed); not why.empty()) {
                 refuse(where, label_of(which) + " cannot be a setting: " + why);
             }
             add_value(device, which, period_of(from, device, which), where).setting = limits_of(which);

@@ -9,17 +9,19 @@
 #include <vector>
 
 #include "output/output.hpp"
+#include "words/option_words.hpp"
 
 namespace tool {
 
 /// How the program was called, for a command that it shows: quoted for a shell.
 struct typed_line {
     std::string program{"rtuwire"};
-    std::string options{};    ///< those of the line, without the three below: " -p /dev/ttyUSB0"
-    std::string rate{};       ///< " -b 9600 -f 8N1"
-    std::string unit{};       ///< " -u 7"
-    std::string drive{};      ///< " -d atv320"
-    std::string stray_port{}; ///< an operand that looks like a port
+    std::string options{};                ///< those of the line, without the three below: " -p /dev/ttyUSB0"
+    std::string rate{};                   ///< " -b 9600 -f 8N1"
+    std::string unit{};                   ///< " -u 7"
+    std::string drive{};                  ///< " -d atv320"
+    std::string stray_port{};             ///< an operand that looks like a port
+    option_form form{option_form::typed}; ///< of the options that a message names
 };
 
 /// The line, and who is on it.

@@ -373,6 +373,10 @@ parsed parse(int argc, char** argv)
     }
     read_register_files(chosen, app.get_option("--pause")->count() > 0);
     chosen.line.typed = typed_in(app, argc > 0 ? argv[0] : "");
+    if (chosen.command == "serve") { // one unit is named nowhere there, and no motor runs
+        chosen.line.typed.form = option_form::of_serve;
+        chosen.allowed.knows_run = false;
+    }
     for (std::string const& each : chosen.words) {
         bool const is_port = each.starts_with("sim:") or each.starts_with("tcp://") or each.starts_with("mbap://") or
                              each.starts_with("/dev/") or is_port_name(each);

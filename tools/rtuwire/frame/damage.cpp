@@ -62,7 +62,7 @@ std::string lost_beginning(byte_view bytes, byte_view asked)
     return {};
 }
 
-std::string noise_in_front(byte_view bytes, byte_view asked)
+std::string noise_in_front(byte_view bytes, byte_view asked, option_form form)
 {
     constexpr std::size_t most = 8;
     for (std::size_t more = 1; more <= most and bytes.size() >= more + rtuwire::min_adu_size; ++more) {
@@ -70,8 +70,8 @@ std::string noise_in_front(byte_view bytes, byte_view asked)
         bool const is_asked = asked.size() < 2 or rest[0] == asked[0];
         if (is_asked and is_right(rest) and (not asked.empty() or has_form(rest, size_of_crc))) {
             return bytes_text(more) + " in front (" + hex_of(bytes.first(more)) +
-                   ") of a whole frame, as a driver makes that is switched: --noise " + std::to_string(more) +
-                   " skips as many";
+                   ") of a whole frame, as a driver makes that is switched" +
+                   advice(": ", option_words(form, line_option::noise, std::to_string(more)), " skips as many");
         }
     }
     return {};
@@ -155,10 +155,10 @@ bool are_ascii_characters(byte_view bytes)
            });
 }
 
-std::string cause_of_damage(byte_view bytes, byte_view asked)
+std::string cause_of_damage(byte_view bytes, byte_view asked, option_form form)
 {
     for (std::string const& cause : {held_line(bytes), other_protocol(bytes), lost_beginning(bytes, asked),
-                                     noise_in_front(bytes, asked), lost_to_flow_control(bytes)}) {
+                                     noise_in_front(bytes, asked, form), lost_to_flow_control(bytes)}) {
         if (not cause.empty()) {
             return cause;
         }

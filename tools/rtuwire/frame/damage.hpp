@@ -9,6 +9,8 @@
 
 #include <rtuwire/frames.hpp>
 
+#include "words/option_words.hpp"
+
 namespace tool {
 
 /// A message of Modbus TCP: its header, and behind it a unit and a PDU without a CRC.
@@ -28,6 +30,7 @@ struct tcp_message {
 
 /// The cause and its remedy, of bytes whose CRC is wrong or that are too few: "its first 2 bytes are missing ...". Empty where
 /// they tell none. `asked`: the request that they came to, empty where it is not known.
-[[nodiscard]] std::string cause_of_damage(rtuwire::byte_view bytes, rtuwire::byte_view asked = {});
+[[nodiscard]] std::string cause_of_damage(rtuwire::byte_view bytes, rtuwire::byte_view asked = {},
+                                          option_form form = option_form::typed);
 
 } // namespace tool

@@ -70,7 +70,8 @@ any_port open_port(line_choices const& chosen, line_setting const& how)
                     " is a capture, in which nobody answers: sniff, replay, timing and decode show what it holds");
     }
     if (chosen.must_switch_rs485 and not std::holds_alternative<serial_device>(which.port)) {
-        refuse_word("--rs485: " + chosen.port + " is no serial device, whose driver could switch a transceiver");
+        refuse_word(option_words(chosen.typed.form, line_option::rs485) + ": " + chosen.port +
+                    " is no serial device, whose driver could switch a transceiver");
     }
     any_port port;
     auto const opened = port.open(which.port, serial_settings_in(chosen, how));
@@ -94,14 +95,14 @@ rtuwire::serial_settings serial_settings_in(line_choices const& chosen, line_set
 line_setting setting_in(line_choices const& line) { return {baud_in(line.baud), format_in(line.format)}; }
 
 open_line::open_line(line_choices const& chosen, line_setting const& how)
-    : port_{traced_port(chosen, how)}, options_{options_in(chosen, port_.has_numbers())},
+    : port_{traced_port(chosen, how)}, form_{chosen.typed.form}, options_{options_in(chosen, port_.has_numbers())},
       exchange_{exchange_log::of(chosen, how, port_)}, client_{port_, port_.timing(), options_}
 {
     client_.trace_to(exchange_);
     exchange_.owed().begin(options_, port_.has_numbers());
     // A server of Modbus TCP lets nobody hear what it says to others.
     if (not chosen.must_not_listen and not port_.is_simulated() and not port_.has_numbers()) {
-        refuse_traffic(port_, seconds_in(chosen.listen));
+        refuse_traffic(port_, seconds_in(chosen.listen), form_);
     }
     if (not port_.is_simulated()) {
         tell_of_supervision();
@@ -150,11 +151,12 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
         return "the request itself came back as its answer: what answers here gives back what it is sent";
     }
     if (why == errc::line_echo) {
-        return text + " (say --echo, or switch the adapter's receiver off while it sends)";
+        return text + " (say " + option_words(form_, line_option::echo) +
+               ", or switch the adapter's receiver off while it sends)";
     }
     auto const refused = why == errc::timed_out ? std::nullopt : client_.refused();
     if (not refused) {
-        return text + (why == errc::timed_out ? exchange_.owed().words_of_silence() + port_.words_of_silence()
+        return text + (why == errc::timed_out ? exchange_.owed().words_of_silence(form_) + port_.words_of_silence(form_)
                                               : std::string{});
     }
     rtuwire::byte_view const bytes = port_.passed(refused->bytes);
@@ -166,7 +168,7 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
         text += ": " + std::to_string(bytes.size()) + " bytes came";
     }
     std::string const cause =
-        why == errc::wrong_length or is_tcp ? "" : cause_of_damage(refused->bytes, refused->asked);
+        why == errc::wrong_length or is_tcp ? "" : cause_of_damage(refused->bytes, refused->asked, form_);
     return text + ": " + hex_of(bytes) + (cause.empty() ? "" : "; " + cause);
 }
 

@@ -56,6 +56,8 @@ public:
     open_line& operator=(open_line const&) = delete;
 
     any_port& port() { return port_; }
+    /// Of the options that a message names.
+    option_form form() const { return form_; }
     /// For another client on its port.
     exchange_log& exchange() { return exchange_; }
     rtuwire::client_options const& options() const { return options_; }
@@ -129,6 +131,7 @@ private:
     void note(rtuwire::errc outcome, std::chrono::duration<double, std::milli> took);
 
     any_port port_;
+    option_form form_;
     rtuwire::client_options options_;
     exchange_log exchange_;
     rtuwire::blocking_client<any_port, line_needs>::traced_by<exchange_log> client_;

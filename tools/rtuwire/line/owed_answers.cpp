@@ -238,7 +238,7 @@ void owed_answers::note_question(byte_view question, bool is_asked)
     was_asked_ = is_asked;
 }
 
-std::string owed_answers::words_of_silence() const
+std::string owed_answers::words_of_silence(option_form form) const
 {
     auto const unit = units_.find(asked_unit_);
     if (unit == units_.end()) {
@@ -249,13 +249,10 @@ std::string owed_answers::words_of_silence() const
     std::string const not_asked =
         was_asked_ ? "" : "; not asked: a late answer of this unit could be taken for this one";
     if (not is_late) {
-        return not_asked + (was_asked_ ? "" : "; a longer --timeout waits for it");
+        return not_asked +
+               (was_asked_ ? "" : "; a longer " + option_words(form, line_option::timeout) + " waits for it");
     }
-    constexpr double most = 30.0;
-    char text[96] = "";
-    std::snprintf(text, sizeof text, "; its answers come too late, the last after %.1f s: say --timeout %.1f", latest,
-                  std::min(std::ceil(latest * 15.0) / 10.0, most));
-    return text + not_asked;
+    return "; its answers come too late, the last after " + longer_timeout(latest, form) + not_asked;
 }
 
 } // namespace tool

@@ -19,6 +19,8 @@
 #include <rtuwire/client.hpp>
 #include <rtuwire/trace.hpp>
 
+#include "words/option_words.hpp"
+
 namespace tool {
 
 class owed_answers {
@@ -57,7 +59,7 @@ public:
     /// The last question was not asked, or is asked.
     void note_question(rtuwire::byte_view question, bool is_asked);
     /// What there is to say of the last question where it has no response; empty where the unit owed nothing.
-    [[nodiscard]] std::string words_of_silence() const;
+    [[nodiscard]] std::string words_of_silence(option_form form) const;
 
 private:
     struct sending {

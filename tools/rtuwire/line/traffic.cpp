@@ -31,11 +31,11 @@ public:
 
     bool is_silent() const { return bytes_ == 0 and not is_damaged_; }
 
-    std::string words() const
+    std::string words(option_form form) const
     {
         if (frames_ == 0) {
-            return std::to_string(bytes_) +
-                   " bytes that are no frame at this bit rate and format (sniff --find finds the right ones)";
+            return std::to_string(bytes_) + " bytes that are no frame at this bit rate and format" +
+                   advice(" (", option_words(form, line_option::find), " finds the right ones)");
         }
         std::string units;
         for (unsigned const each : units_) {
@@ -53,7 +53,7 @@ private:
 
 } // namespace
 
-void refuse_traffic(any_port& port, rtuwire::duration time)
+void refuse_traffic(any_port& port, rtuwire::duration time, option_form form)
 {
     using clock = std::chrono::steady_clock;
     auto const end = clock::now() + rtuwire::to_chrono(time);
@@ -73,9 +73,10 @@ void refuse_traffic(any_port& port, rtuwire::duration time)
     }
     tap.advance(port.now() + rtuwire::milliseconds(2'000), note);
     if (not heard.is_silent()) {
-        refuse_for_safety(port.device() + ": somebody is talking on this line: " + heard.words() +
+        refuse_for_safety(port.device() + ": somebody is talking on this line: " + heard.words(form) +
                           ". A second client disturbs the first, and keeps a drive running that its own has left. To "
-                          "speak all the same, say --no-listen");
+                          "speak all the same, say " +
+                          option_words(form, line_option::no_listen));
     }
 }
 

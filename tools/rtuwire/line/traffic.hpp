@@ -10,6 +10,6 @@
 namespace tool {
 
 /// Listens for a time. Refuses a line on which others talk.
-void refuse_traffic(any_port& port, rtuwire::duration time);
+void refuse_traffic(any_port& port, rtuwire::duration time, option_form form = option_form::typed);
 
 } // namespace tool

@@ -395,8 +395,8 @@ write_rules rules_of_no_drive(open_line& line, named_unit const& unit, identity_
         }
     }
     if (calls_itself_drive(who)) {
-        refuse_for_safety(number + " calls itself '" + who.vendor + ' ' + who.product +
-                          "', a drive; --drive none is for what is none");
+        refuse_for_safety(number + " calls itself '" + who.vendor + ' ' + who.product + "', a drive" +
+                          (allowed.knows_run ? "; --drive none is for what is none" : ""));
     }
     drive_marks const marks = marks_of_drive(line, unit.unit);
     if (marks.open != errc::none) {
@@ -407,10 +407,11 @@ write_rules rules_of_no_drive(open_line& line, named_unit const& unit, identity_
                         line.words_of_failure(marks.open)};
     }
     if (marks.has_all and not allowed.may_run) {
-        refuse_for_safety(number + (who.product.empty() ? "" : ", a '" + who.product + "',") +
-                          " may be a drive: it has the status word and the command word of one, " +
-                          std::to_string(marks.address) + " and " + std::to_string(marks.command) +
-                          "; --drive none is for what is none; if it is none, say --allow-run besides");
+        refuse_for_safety(
+            number + (who.product.empty() ? "" : ", a '" + who.product + "',") +
+            " may be a drive: it has the status word and the command word of one, " + std::to_string(marks.address) +
+            " and " + std::to_string(marks.command) +
+            (allowed.knows_run ? "; --drive none is for what is none; if it is none, say --allow-run besides" : ""));
     }
     return {nullptr, marks.has_all ? std::optional{marks.command} : std::nullopt, not who.product.empty(),
             text_of(who)};
@@ -430,8 +431,8 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
         drive_catalog const& said = catalog_chosen(unit.drive);
         identity_words says;
         if (read_identity(line, unit.unit, says) == errc::none and is_of_another_family(says, said)) {
-            refuse_for_safety(number + " calls itself '" + says.vendor + ' ' + says.product + "', and --drive says " +
-                              std::string{said.name});
+            refuse_for_safety(number + " calls itself '" + says.vendor + ' ' + says.product +
+                              "', and is said to be an " + std::string{said.name});
         }
         return {.drive = &said, .says = text_of(says)};
     }
@@ -442,9 +443,8 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
     identity_words const who = who_is_it(line, unit.unit);
     if (not who.drive.empty()) {
         if (not allowed.may_run) {
-            refuse_for_safety(
-                number + " is an " + who.drive +
-                ", and --drive none says that it is no drive: leave that out, or say --allow-run besides");
+            refuse_for_safety(number + " is an " + who.drive + ", and is said to be no drive" +
+                              (allowed.knows_run ? ": leave --drive none out, or say --allow-run besides" : ""));
         }
         return {.drive = catalog_named(who.drive), .says = text_of(who)};
     }

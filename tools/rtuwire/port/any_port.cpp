@@ -189,7 +189,7 @@ bool any_port::is_absent(std::uint8_t unit) const noexcept
 }
 
 /// Who is on a simulated line, where somebody else was asked.
-std::string any_port::other_units() const
+std::string any_port::other_units(option_form form) const
 {
     if (asked_ == 0 or not is_absent(asked_)) {
         return {};
@@ -198,14 +198,28 @@ std::string any_port::other_units() const
     for (std::uint8_t const each : drives_.units()) {
         all += (all.empty() ? "" : " and ") + std::to_string(each);
     }
-    return "; this simulated line has no unit " + std::to_string(asked_) + ", only " + all + ": say -u " +
-           std::to_string(drives_.units().front());
+    return "; this simulated line has no unit " + std::to_string(asked_) + ", only " + all +
+           advice(": say ", option_words(form, line_option::unit, std::to_string(drives_.units().front())));
 }
 
-std::string any_port::words_of_silence() const
+namespace {
+
+/// What names this unit; empty where nothing does.
+std::string asked_by(std::uint8_t unit, option_form form)
+{
+    bool const is_usual = unit >= 1 and unit <= 247;
+    std::string const any = is_usual ? "" : option_words(form, line_option::any_unit);
+    return is_usual or not any.empty()
+               ? any + (is_usual ? "" : " ") + option_words(form, line_option::unit, std::to_string(unit))
+               : std::string{};
+}
+
+} // namespace
+
+std::string any_port::words_of_silence(option_form form) const
 {
     if (is_simulated()) {
-        return other_units();
+        return other_units(form);
     }
     auto const* const numbered = std::get_if<mbap_stream>(&port_);
     if (numbered == nullptr or numbered->dropped() == rtuwire::mbap_dropped{}) {
@@ -214,19 +228,12 @@ std::string any_port::words_of_silence() const
     auto const& dropped = numbered->dropped();
     std::string text;
     if (dropped.late > 0) {
-        double const latest = dropped.latest.microseconds / 1e6;
-        constexpr double most = 30.0;
-        std::array<char, 128> words{};
-        std::snprintf(
-            words.data(), words.size(),
-            "; answers come too late and were dropped by their number, the last after %.1f s: say --timeout %.1f",
-            latest, std::min(std::ceil(latest * 15.0) / 10.0, most));
-        text += words.data();
+        text += "; answers come too late and were dropped by their number, the last after " +
+                longer_timeout(dropped.latest.microseconds / 1e6, form);
     }
     if (dropped.other_unit > 0) {
-        text += "; an answer with its number came of unit " + std::to_string(dropped.unit) +
-                " and was dropped: a device that has only this one is asked by " +
-                (dropped.unit >= 1 and dropped.unit <= 247 ? "" : "--any-unit ") + "-u " + std::to_string(dropped.unit);
+        text += "; an answer with its number came of unit " + std::to_string(dropped.unit) + " and was dropped" +
+                advice(": a device that has only this one is asked by ", asked_by(dropped.unit, form));
     }
     return text;
 }

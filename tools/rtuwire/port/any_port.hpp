@@ -13,6 +13,7 @@
 
 #include "port/port_word.hpp"
 #include "port/simulated_drives.hpp"
+#include "words/option_words.hpp"
 
 namespace tool {
 
@@ -81,7 +82,7 @@ public:
 
     /// What there is to say of it where a unit did not answer in time: that responses came too late, or of another unit, or
     /// that another protocol may be meant, or which units a simulated line has. Begins with a mark; empty where there is nothing.
-    [[nodiscard]] std::string words_of_silence() const;
+    [[nodiscard]] std::string words_of_silence(option_form form = option_form::typed) const;
 
     /// Sends all bytes. Errors: `transmit_stalled`, `device_not_open`, `device_vanished`, `device_failed`; over
     /// Modbus TCP those of `check_frame`, where it is no frame.
@@ -114,7 +115,7 @@ private:
     rtuwire::result<rtuwire::byte_span> read_attended(rtuwire::byte_span place, rtuwire::instant until);
     void note_failure(rtuwire::errc why);
     std::string other_protocol() const;
-    std::string other_units() const;
+    std::string other_units(option_form form) const;
 
     simulated_drives drives_{}; ///< outlives the port to them
     std::variant<rtuwire::host_serial, rtuwire::tcp_stream, rtuwire::mbap_stream> port_{};

@@ -379,8 +379,9 @@ void served_line::note_outcome(std::uint8_t unit, bool has_responded)
     }
     if (is_news) {
         events_.tell(has_responded ? "back" : "silent", {{"unit", std::uint64_t{unit}}},
-                     number_of(unit) +
-                         (has_responded ? " answers again" : " does not answer" + line_->port().words_of_silence()));
+                     number_of(unit) + (has_responded
+                                            ? " answers again"
+                                            : " does not answer" + line_->port().words_of_silence(line_->form())));
     }
 }
 
