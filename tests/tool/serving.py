@@ -21,6 +21,7 @@ import time
 
 from support import DONE, HERE, LIMIT, PORT, REFUSED, USAGE, Line, Simulator, Tool, runs, soon, with_crc
 
+from field_units import OnTcp  # noqa: I100
 from pair import Programs, free_port  # noqa: I100
 from served import (FIRST, LAST, Asker, PlainUnits, RtuAsker, Served, header, http, message, read_of,  # noqa: I100
                     requests_in, value_of)
@@ -707,6 +708,43 @@ def other_protocol(check, program):
                 check(soon(lambda: [each for each in served.lines["stderr"] if right in each], 20), "to people as well", served.lines["stderr"])
 
 
+class HangingUp(OnTcp):
+    """A server of Modbus TCP that hangs up on each request, until it `answers`."""
+
+    def __init__(self):
+        self.answers, self.once, self.connections = False, False, 0
+        super().__init__("mbap")
+
+    def talk(self, line):
+        self.connections += 1
+        while (data := line.recv(512)) and self.answers:
+            line.sendall(message(int.from_bytes(data[:2], "big"), data[6], b"\3\2" + value_of(data[6], FIRST).to_bytes(2, "big")))
+            if self.once:
+                return
+
+
+def hung_up_on(check, program):
+    """It is told once, and once when it answers: not as often as it is tried."""
+    with HangingUp() as server, Served(program, server.name, "--units", "1", "--json", *METRICS, line=SHORT) as served, Asker(served.number) as client:
+        def told_of_port():
+            return [each["event"] for each in served.events() if each["event"].startswith("port_")]
+
+        def losses():
+            return client.ask(1, read_of(FIRST)) == bytes([0x83, SILENT]) and served.metrics().total("rtuwire_serve_port_losses_total")
+        check(soon(lambda: losses() >= 4, LIMIT) and server.connections >= 4, "it hangs up again and again", server.connections)
+        check(told_of_port() == ["port_lost"], "that is told once", served.events())
+        check(len([each for each in served.lines["stderr"] if "connection is gone" in each]) == 1, "to people as well", served.lines["stderr"])
+        server.answers = True
+        check(soon(lambda: client.read(1, FIRST) == [value_of(1, FIRST)], LIMIT), "it answers")
+        check(soon(lambda: told_of_port() == ["port_lost", "port_opened"], LIMIT), "that is told, once", served.events())
+        server.once = True
+        before = server.connections
+        check(soon(lambda: isinstance(client.read(1, FIRST), list) and server.connections >= before + 3, LIMIT) and
+              told_of_port() == ["port_lost", "port_opened"], "one that hangs up behind each answer is no news", served.events())
+        server.answers = False
+        check(soon(lambda: client.read(1, FIRST) == -SILENT and told_of_port().count("port_lost") == 2, LIMIT), "and the next time anew", served.events())
+
+
 def at_once(check, program, parts):
     """Side by side: they wait."""
     failed = []
@@ -725,7 +763,7 @@ def at_once(check, program, parts):
 
 
 def limits(check, program):
-    at_once(check, program, (too_many, full_queue, too_old, in_order, in_order_behind_full, idle, halves, late, no_modbus, other_protocol))
+    at_once(check, program, (too_many, full_queue, too_old, in_order, in_order_behind_full, idle, halves, late, no_modbus, other_protocol, hung_up_on))
 
 
 # The port, the figures, the end.

@@ -46,6 +46,12 @@ public:
     /// Whether what answers here is simulated.
     [[nodiscard]] bool is_simulated() const noexcept { return drives_.is_running(); }
 
+    /// Whether it is a connection, which opens wherever somebody listens: what answers there is known by its answers alone.
+    [[nodiscard]] bool is_connection() const noexcept
+    {
+        return not is_simulated() and not std::holds_alternative<rtuwire::host_serial>(port_);
+    }
+
     /// Whether it is known that nobody has an address here: on a line of simulated drives.
     [[nodiscard]] bool is_absent(std::uint8_t unit) const noexcept;
 

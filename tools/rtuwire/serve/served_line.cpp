@@ -61,6 +61,7 @@ void reopened_line::run()
             if (is_up and not served_.has_line()) {
                 lose(served_.why_lost());
             }
+            tell_back();
         }
     }
 }
@@ -77,27 +78,43 @@ bool reopened_line::open_again()
     if (failure) { // a host that does not answer keeps everybody waiting for as long as it is tried
         auto const now = steady_clock::now();
         next_opening_ = now + std::max<steady_clock::duration>(reopening_pause, 3 * (now - began));
-        if (std::exchange(told_failure_, failure->what()) != failure->what()) {
-            events_.tell("port_away", {{"port", chosen_.line.port}},
-                         std::string{failure->what()} + "; it is tried again and again");
-        }
+        tell_away("port_away", failure->what(), "it is tried again and again");
         return false;
     }
     served_.begin(*line_);
-    told_failure_.clear();
     opened_ = steady_clock::now();
-    events_.tell("port_opened", {{"port", chosen_.line.port}}, chosen_.line.port + " is open again");
+    tell_back();
     return true;
+}
+
+void reopened_line::tell_away(std::string const& event, std::string const& why, std::string const& behind)
+{
+    constexpr std::size_t most_told = 16; // where each shows other bytes
+    if (told_away_.size() < most_told and told_away_.insert(why).second) {
+        events_.tell(event, {{"port", chosen_.line.port}}, why + "; " + behind);
+    }
+}
+
+void reopened_line::tell_back()
+{
+    if (told_away_.empty() or line_ == nullptr or (line_->port().is_connection() and line_->port().heard() == 0)) {
+        return;
+    }
+    told_away_.clear();
+    events_.tell("port_opened", {{"port", chosen_.line.port}}, chosen_.line.port + " is open again");
 }
 
 void reopened_line::lose(std::string const& why)
 {
+    // A server that hangs up behind its answers is there; where it cannot be reached again, that is told.
+    bool const is_news = not line_->port().is_connection() or line_->port().heard() == 0;
     served_.end();
     line_.reset();
     ++counts_.port_losses;
     next_opening_ = opened_ + reopening_pause; // at once, but for one that goes again and again
-    told_failure_ = why;
-    events_.tell("port_lost", {{"port", chosen_.line.port}}, why + "; clients get exception 0B until it is back");
+    if (is_news) {
+        tell_away("port_lost", why, "clients get exception 0B until it is back");
+    }
 }
 
 void served_line::begin(open_line& line)

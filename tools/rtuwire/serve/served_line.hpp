@@ -112,6 +112,10 @@ public:
 private:
     bool open_again();
     void lose(std::string const& why);
+    /// Says why the port is away, each reason once until it is back.
+    void tell_away(std::string const& event, std::string const& why, std::string const& behind);
+    /// Says once that the port is back: a device by being there, a connection by what has come over it.
+    void tell_back();
 
     choices const& chosen_;
     served_clients& clients_;
@@ -121,7 +125,7 @@ private:
     served_line served_;
     serve_time opened_{};
     serve_time next_opening_{};
-    std::string told_failure_{};
+    std::set<std::string> told_away_{}; ///< why the port is away; empty while it is there
 };
 
 } // namespace tool
