@@ -147,6 +147,49 @@ TEST_CASE("serve: a request that is not whole has 10 s, in whatever pieces it co
     CHECK_FALSE(from.part_ends());
 }
 
+TEST_CASE("serve: half a frame waits for the other, as half a message does, and no silence ends it")
+{
+    numbers const whole = frame({7, 16, 0, 1, 0, 2, 4, 0, 1, 0, 2});
+    for (std::size_t half = 1; half < whole.size(); ++half) {
+        CAPTURE(half);
+        client_requests from{client_protocol::rtu};
+        REQUIRE(put(from, whole, 0, half, begin));
+        CHECK_FALSE(from.take(begin + client_requests::silence));
+        CHECK_FALSE(from.silence_ends()); // it is looked at once
+        CHECK_FALSE(from.take(begin + 9s));
+        REQUIRE(put(from, whole, half, whole.size() - half, begin + 9s));
+        auto const request = from.take(begin + 9s);
+        REQUIRE(request);
+        CHECK(body_of(*request) == numbers{7, 16, 0, 1, 0, 2, 4, 0, 1, 0, 2});
+        CHECK(from.take_dropped() == 0);
+        CHECK_FALSE(from.part_ends());
+    }
+}
+
+TEST_CASE("serve: who begins anew behind half a frame is heard, in whatever pieces")
+{
+    numbers const left = frame({7, 16, 0, 1, 0, 2, 4, 0, 1, 0, 2});
+    numbers const next = frame({7, 3, 0, 1, 0, 1});
+    for (std::size_t half = 1; half < left.size(); ++half) {
+        for (std::size_t const piece : {std::size_t{3}, next.size()}) {
+            CAPTURE(half, piece);
+            client_requests from{client_protocol::rtu};
+            REQUIRE(put(from, left, 0, half, begin));
+            CHECK_FALSE(from.take(begin + 1s));
+            REQUIRE(put(from, next, 0, piece, begin + 2s));
+            auto request = from.take(begin + 2s);
+            if (piece < next.size()) {
+                REQUIRE(put(from, next, piece, next.size() - piece, begin + 2s + 10ms));
+                request = from.take(begin + 2s + 10ms);
+            }
+            REQUIRE(request);
+            CHECK(body_of(*request) == numbers{7, 3, 0, 1, 0, 1});
+            CHECK(from.take_dropped() == half);
+            CHECK_FALSE(from.part_ends());
+        }
+    }
+}
+
 TEST_CASE("serve: what is no Modbus TCP breaks the connection, behind what was")
 {
     client_requests from{client_protocol::mbap};

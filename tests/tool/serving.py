@@ -638,6 +638,9 @@ def halves(check, program):
             Served(program, line.name, "--listen", "mbap://127.0.0.1:0", "--listen", "tcp://127.0.0.1:0", "--units", "1", line=PATIENT) as served:
         parts = ((served.number, b"\0\1\0\0"), (served.number, message(1, 1, read_of(FIRST))[:-1]),
                  (served.ports["tcp"][0], with_crc(b"\1" + read_of(FIRST))[:5]))
+        slow = RtuAsker(served.ports["tcp"][0])
+        frame = with_crc(b"\1" + read_of(FIRST + 1))
+        slow.socket.sendall(frame[:4])
         results = []
 
         def sends(number, data):
@@ -649,12 +652,16 @@ def halves(check, program):
         for each in threads:
             each.start()
         idle = Asker(served.number)
+        time.sleep(1.5)  # a segment that was lost comes again later than that
+        slow.socket.sendall(frame[4:])
+        check(slow.answer() == (0, 1, b"\3\2" + value_of(1, FIRST + 1).to_bytes(2, "big")), "its other half may come seconds later, over RTU, too")
+        slow.close()
         for each in threads:
             each.join()
         for number, data, has_ended, took in results:
             check(has_ended and took > 9.9, f"half a request is waited for 10 s: {data.hex(' ')}", took)
         check(is_right(1, FIRST, 1, idle.read(1, FIRST)), "who sends nothing at all stays for longer")
-        check(line.reads() == [(1, FIRST)], "no half went to the unit", line.reads())
+        check(line.reads() == [(1, FIRST + 1), (1, FIRST)], "no half went to the unit", line.reads())
         idle.close()
 
 

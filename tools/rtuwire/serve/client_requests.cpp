@@ -32,6 +32,40 @@ bool are_frames(rtuwire::byte_view bytes)
     return true;
 }
 
+/// How many bytes a request has that begins so, its unit and its CRC with it, as far as they tell; 0 where they never do.
+std::size_t size_so_far(rtuwire::byte_view frame)
+{
+    using enum rtuwire::function_code;
+    auto const counted = [frame](std::size_t place, std::size_t others) {
+        return frame.size() <= place ? place + 1 : others + std::to_integer<std::size_t>(frame[place]);
+    };
+    if (frame.size() < 2) {
+        return 2;
+    }
+    switch (static_cast<rtuwire::function_code>(frame[1])) {
+    case read_coils:
+    case read_discrete_inputs:
+    case read_holding_registers:
+    case read_input_registers:
+    case write_single_coil:
+    case write_single_register:
+    case diagnostics: return 8;
+    case read_exception_status:
+    case get_comm_event_counter:
+    case get_comm_event_log:
+    case report_server_id: return 4;
+    case write_multiple_coils:
+    case write_multiple_registers: return counted(6, 9);
+    case read_file_record:
+    case write_file_record: return counted(2, 5);
+    case mask_write_register: return 10;
+    case read_write_multiple_registers: return counted(10, 13);
+    case read_fifo_queue: return 6;
+    case encapsulated_interface: return 7;
+    default: return 0;
+    }
+}
+
 /// Whether they begin with a message of Modbus TCP, and go on with others.
 bool begin_with_messages(rtuwire::byte_view bytes)
 {
@@ -60,6 +94,8 @@ rtuwire::byte_span client_requests::room()
 void client_requests::add(std::size_t count, serve_time now)
 {
     if (is_rtu_) {
+        resumed_at_ = size_ > 0 and now - latest_ >= silence ? size_ : resumed_at_;
+        waits_for_rest_ = false;
         size_ += count;
     } else {
         messages_.add(count);
@@ -100,9 +136,16 @@ std::optional<served_request> client_requests::take_message(serve_time now)
 std::optional<served_request> client_requests::take_frame(serve_time now)
 {
     std::size_t size = frame_at_begin(rtuwire::byte_view{bytes_}.first(size_), rtuwire::frame_role::request);
+    if (resumed_at_ > 0 and size == 0 and
+        frame_at_begin(rest().subspan(resumed_at_), rtuwire::frame_role::request) > 0) {
+        dropped_ += resumed_at_; // its client has begun anew
+        drop(resumed_at_);
+        return take_frame(now);
+    }
     bool const is_silent = size_ > 0 and now - latest_ >= silence;
     bool const is_too_long = size_ >= rtuwire::max_adu_size;
-    if (size == 0 and (is_silent or is_too_long)) {
+    waits_for_rest_ = size == 0 and is_silent and not is_too_long and has_half();
+    if (size == 0 and not waits_for_rest_ and (is_silent or is_too_long)) {
         // Of a function that is not public the silence ends it.
         bool const is_frame = is_silent and size_ >= rtuwire::min_adu_size and size_ <= rtuwire::max_adu_size and
                               rtuwire::crc16(rtuwire::byte_view{bytes_}.first(size_)) == 0;
@@ -126,7 +169,11 @@ void client_requests::drop(std::size_t count)
     std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(count), bytes_.begin() + static_cast<std::ptrdiff_t>(size_),
               bytes_.begin());
     size_ -= count;
+    resumed_at_ -= std::min(resumed_at_, count);
 }
+
+/// Whether its function says that more is to come of the frame; it is none where it is a message of Modbus TCP.
+bool client_requests::has_half() const { return size_so_far(rest()) > size_ and not begin_with_messages(rest()); }
 
 bool client_requests::is_broken() const { return not is_rtu_ and messages_.fault() != rtuwire::mbap_fault::none; }
 
@@ -144,7 +191,7 @@ std::optional<serve_time> client_requests::part_ends() const
 
 std::optional<serve_time> client_requests::silence_ends() const
 {
-    return is_rtu_ and size_ > 0 ? std::optional{latest_ + silence} : std::nullopt;
+    return is_rtu_ and size_ > 0 and not waits_for_rest_ ? std::optional{latest_ + silence} : std::nullopt;
 }
 
 std::vector<std::byte> client_requests::answer(served_request const& to, rtuwire::byte_view pdu) const

@@ -24,7 +24,8 @@ class client_requests {
 public:
     /// A part of a request that is not whole by then ends the connection.
     static constexpr std::chrono::seconds longest_part{10};
-    /// In RTU frames over TCP, where nothing tells the end of a frame that is damaged or of a function that is not public.
+    /// In RTU frames over TCP, where nothing else tells the end of a frame that is damaged or of a function that is not public.
+    /// It ends no frame whose function says that more is to come: a segment that is lost comes a second or more later.
     static constexpr std::chrono::milliseconds silence{500};
 
     explicit client_requests(client_protocol which) : is_rtu_{which == client_protocol::rtu} {}
@@ -65,12 +66,15 @@ public:
 private:
     std::optional<served_request> take_message(serve_time now);
     std::optional<served_request> take_frame(serve_time now);
+    [[nodiscard]] bool has_half() const;
     void drop(std::size_t count);
 
     bool is_rtu_;
     rtuwire::mbap_cutter messages_{};
     std::array<std::byte, 2 * rtuwire::max_adu_size> bytes_{};
     std::size_t size_{0};
+    std::size_t resumed_at_{0};  ///< where bytes came behind a silence; 0: nowhere
+    bool waits_for_rest_{false}; ///< a silence was looked at, and ends nothing
     std::size_t dropped_{0};
     bool begins_as_frame_{false}; ///< of Modbus TCP: by chance, where a message is whole all the same
     bool has_taken_{false};       ///< a request
