@@ -127,7 +127,7 @@ def check_failures(tool, check):
         ended = tool.run(*QUIET, "-u", FIRST, "ask", *words)
         check(ended.status == USAGE and says in ended.errors and not ended.output, f"{words[:3]} is refused", ended)
     ended = tool.run(*QUIET, "-u", FIRST, "ask", "43", "0E0100")
-    check(ended.status == REFUSED and "is 2B" in ended.errors, "a decimal number is hinted at", ended)
+    check(ended.status == REFUSED and "function 43 (0x2B), encapsulated interface transport, is typed 2B" in ended.errors, "a decimal number is hinted at", ended)
 
 
 # Requests that may change something, to whom they are meant as frames of their own.

@@ -154,7 +154,7 @@ TEST_CASE("unit, function and exception are told in words")
     CHECK(value_of(decoded(framed({7, 0x83, 0}))[0].readings[0], "exception") == "an exception with an unlisted code");
     CHECK(value_of(decoded(framed({0, 6, 0, 1, 0, 2}))[0].readings[0], "unit") == "0, broadcast");
     CHECK(value_of(decoded(framed({248, 6, 0, 1, 0, 2}))[0].readings[0], "unit") == "248, reserved");
-    CHECK(tool::function_text(static_cast<rtuwire::function_code>(65)) == "function 65");
+    CHECK(tool::function_text(static_cast<rtuwire::function_code>(65)) == "function 65 (0x41)");
 }
 
 TEST_CASE("what may be a request and a response is told as both, but for the response that follows its request")

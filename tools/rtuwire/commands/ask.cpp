@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Asks a unit by any function, and shows both frames. What only reads is free; what else is sent by the rules of `write`.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include "frame/decode.hpp"
 #include "frame/frame_fit.hpp"
 #include "frame/frame_printer.hpp"
+#include "frame/function_text.hpp"
 #include "frame/hex_text.hpp"
 #include "frame/names_by_file.hpp"
 #include "line/end_wish.hpp"
@@ -131,10 +133,22 @@ private:
         return {static_cast<rtuwire::function_code>(pdu_[0]), rtuwire::byte_view{pdu_}.subspan(1)};
     }
 
+    /// Of a function that is not public, whose typed digits are a public one's in decimal.
+    std::string likely_function() const
+    {
+        auto const typed = std::to_integer<unsigned>(pdu_[0]);
+        auto const meant = static_cast<rtuwire::function_code>(10 * (typed >> 4U) + (typed & 0xFU));
+        bool const is_likely = not rtuwire::all_functions.contains(static_cast<rtuwire::function_code>(typed)) and
+                               (typed & 0xFU) < 10 and rtuwire::all_functions.contains(meant);
+        return is_likely ? "; function " + function_number(meant) + ", " + function_text(meant) + ", is typed " +
+                               hex_of(std::array{static_cast<std::byte>(meant)})
+                         : std::string{};
+    }
+
     void refuse_without_write() const
     {
         if (not chosen_.allowed.may_write) {
-            refuse_for_safety(words_of_function(pdu_) +
+            refuse_for_safety(words_of_function(pdu_) + likely_function() +
                               ": it may change something, and this program only reads; to send it, "
                               "say --write");
         }

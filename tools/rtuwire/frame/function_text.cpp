@@ -2,9 +2,17 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "frame/function_text.hpp"
 
+#include <cstddef>
+#include <string_view>
+
+#include "frame/hex_text.hpp"
+
 namespace tool {
 
-std::string function_text(rtuwire::function_code code)
+namespace {
+
+/// Empty for one that is not public.
+std::string_view public_name(rtuwire::function_code code)
 {
     using enum rtuwire::function_code;
     switch (code) {
@@ -28,7 +36,25 @@ std::string function_text(rtuwire::function_code code)
     case read_fifo_queue: return "read FIFO queue";
     case encapsulated_interface: return "encapsulated interface transport";
     }
-    return "function " + std::to_string(static_cast<unsigned>(code));
+    return {};
+}
+
+} // namespace
+
+std::string function_text(rtuwire::function_code code)
+{
+    std::string_view const name = public_name(code);
+    return name.empty() ? "function " + function_number(code) : std::string{name};
+}
+
+std::string function_number(rtuwire::function_code code)
+{
+    auto const number = static_cast<std::byte>(code);
+    std::string text = std::to_string(std::to_integer<unsigned>(number));
+    if (text.size() == 1) {
+        return text.insert(0, 1, '0');
+    }
+    return text.append(" (0x").append(hex_of({&number, 1})).append(")");
 }
 
 std::string subfunction_text(rtuwire::subfunction what)

@@ -10,7 +10,11 @@
 
 namespace tool {
 
-/// "read holding registers"; "function 65" for one that is not public.
+/// "06", "22 (0x16)": its code in decimal, as the specification and the pages have it, and where that is written otherwise, in
+/// hexadecimal besides.
+[[nodiscard]] std::string function_number(rtuwire::function_code code);
+
+/// "read holding registers"; "function 65 (0x41)" for one that is not public.
 [[nodiscard]] std::string function_text(rtuwire::function_code code);
 
 /// "return query data"; "sub-function 5" for one that the specification does not have.

@@ -272,19 +272,9 @@ void refuse_frame_within(byte_view frame, functions_within which)
 
 std::string words_of_function(byte_view pdu)
 {
-    auto const number = std::to_integer<unsigned>(pdu[0]);
-    constexpr char digits[] = "0123456789ABCDEF";
-    std::string const hex{digits[number >> 4U], digits[number & 0xFU]};
-    if (rtuwire::all_functions.contains(code_of(pdu))) {
-        return "function " + hex + ", " + function_text(code_of(pdu));
-    }
-    unsigned const meant = 10 * (number >> 4U) + (number & 0xFU); // its digits, read as decimal ones
-    bool const may_be_meant =
-        (number & 0xFU) < 10 and rtuwire::all_functions.contains(static_cast<function_code>(meant));
-    return "function " + hex + " (hexadecimal), which is not public" +
-           (may_be_meant ? "; function " + hex + " in decimal, " + function_text(static_cast<function_code>(meant)) +
-                               ", is " + std::string{digits[meant >> 4U], digits[meant & 0xFU]}
-                         : "");
+    std::string const number = "function " + function_number(code_of(pdu));
+    return number + (rtuwire::all_functions.contains(code_of(pdu)) ? ", " + function_text(code_of(pdu))
+                                                                   : ", which is not public");
 }
 
 void refuse_unreadable(byte_view pdu)
@@ -319,7 +309,7 @@ std::vector<value_to_write> checked_request(byte_view pdu, open_line& line, name
     if (not chosen.allowed.may_run and not rules.says_it_is_none) {
         refuse_for_safety(number +
                           (is_drive ? " is an " + std::string{rules.drive->name}
-                                    : " does not say by function 2B what it is, and may be a drive") +
+                                    : " does not say by function 43 (0x2B) what it is, and may be a drive") +
                           ": a motor may turn after " + what + chosen.allowed.by_run("send"));
     }
     return values;
