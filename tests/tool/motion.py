@@ -753,7 +753,7 @@ def resets_and_misses(program, check):
         motor.suffer("cut")
         motor.timeout = 0.2
         found, out, _ = end(motor.tool(program, "--json", "stop"))
-        check(found == 3 and "not reached" in out, "stop of a drive that is off, which ends", (found, out))
+        check(found == 3 and "nothing confirmed it" in out, "stop of a drive that is off, which ends", (found, out))
 
 
 def orders(program, check):

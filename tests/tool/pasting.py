@@ -61,6 +61,21 @@ def check_stop(tool, simulator, device, check):
         check(simulator.shown(UNIT)[0] == "switch on disabled", f"{what}: it stands", simulator.shown(UNIT))
 
 
+def check_mute(tool, check):
+    """What hears and never answers may have the word: that is said, with what sends it again and what to do."""
+    for words in ([], ["-d", "atv320"], ["-d", "atv28"]):
+        with Units({9: {}}) as line:
+            ended = tool.run("--port", line.name, *TIMES, "-u", UNIT, *words, "stop")
+            stops = {7: {b"\x07\6\x21\x35\0\0", b"\x07\6\1\x90\0\0", b"\x07\6\1\x90\0\7"}}[UNIT]
+            sent = [each for each in line.requests if each[:-2] in stops]
+            check(ended.status == NO_ANSWER and sent, f"mute, {words}: it is told to stop", (ended, line.requests))
+            for part in ("no response in time", "the word that stops the motor was sent, and nothing confirmed it", "look at the motor", "power"):
+                check(part in ended.output, f"mute, {words}: {part}", ended)
+            found, done = pasted(tool, ended.output)
+            check(len(found) == 1 and done.returncode == NO_ANSWER and len([each for each in line.requests if each[:-2] in stops]) > len(sent),
+                  f"mute, {words}: what it shows sends it again", (found, done))
+
+
 def check_settings(tool, simulator, device, check):
     """A setting that forbids a start is named with what changes it; the next start is not refused for it."""
     start = ["--allow-run", "-y", "start", "--frequency", "9Hz", "--for", "0.2s"]
@@ -148,6 +163,7 @@ def main(check, program, sources):
             check_settings(tool, simulator, device, check)
             check_scan(tool, simulator, device, check)
             check_screens(tool, device, check)
+        check_mute(tool, check)
         check_quoting(tool, check)
         check_sources(sources, check)
 

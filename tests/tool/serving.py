@@ -11,6 +11,7 @@ are plain sockets. What depends on an order is held until it has come about: no 
 import json
 import os
 import random
+import re
 import signal
 import socket
 import struct
@@ -19,7 +20,7 @@ import sys
 import threading
 import time
 
-from support import DONE, HERE, LIMIT, PORT, REFUSED, USAGE, Line, Simulator, Tool, runs, soon, with_crc
+from support import DIFFERS, DONE, HERE, LIMIT, PORT, REFUSED, USAGE, Line, Simulator, Tool, runs, soon, with_crc
 
 from field_units import OnTcp  # noqa: I100
 from pair import Programs, free_port  # noqa: I100
@@ -1304,6 +1305,38 @@ def stop_words(check, program):
         check(client.ask(7, command(0)) == b"\x86\1" and not meter.asked(6), "what is no drive that is known, and may be one, is not")
 
 
+SHOWN = re.compile(r"`([^`]* stop[^`]*)`")
+
+
+def pasted(tool, text):
+    """The command that a text shows, and what became of it in a shell."""
+    found = SHOWN.search(text)
+    return found and subprocess.run(["sh", "-c", found[1]], cwd=tool.place, env=tool.environment, check=False, stdin=subprocess.DEVNULL,
+                                    capture_output=True, text=True, timeout=LIMIT)
+
+
+def shown_stops(check, program):
+    """A stop that is refused here is told with one that passes, of this port and this unit."""
+    simulator = Simulator(program, "atv320:7")
+    with simulator as device, Tool(program) as tool, Served(program, device, "--units", "7", "--write", line=PATIENT) as served:
+        for who in ("another client", "stop"):
+            check(runs_at(simulator, 7, "atv320"), f"{who}: a motor runs", simulator.shown(7))
+            if who == "stop":
+                ended = tool.run("-u", 7, "stop", port=f"mbap://127.0.0.1:{served.number}")
+                check(ended.status == DIFFERS and "0000" in ended.output, "a ramp is refused", ended)
+                said = ended.output
+            else:
+                with Asker(served.number) as client:
+                    check(client.ask(7, command(7)) == b"\x86\1", "another word is refused")
+                soon(lambda: any("commands the motor" in each for each in served.said()), LIMIT)
+                said = "\n".join(served.said())
+            done = pasted(tool, said)
+            check(done and done.returncode == DONE and soon(lambda: simulator.shown(7)[1] == 0), f"{who}: what is shown stops it", (said, done))
+    with Simulator(program, "atv320:7") as device, Tool(program) as tool, Served(program, device, "--units", "7", line=PATIENT) as served:
+        ended = tool.run("-u", 7, "stop", "--freewheel", port=f"mbap://127.0.0.1:{served.number}")
+        check(ended.status == DIFFERS and "end it, and stop at the port" in ended.output, "where only reads pass, that is said", ended)
+
+
 def stop_of_silent(check, program):
     """The pauses of a unit that is silent hold no stop back."""
     with PlainUnits(1, silent=(9,)) as line, Served(program, line.name, "--units", "1,9", "--write", line=SHORT) as served, \
@@ -1322,7 +1355,7 @@ def stop_of_silent(check, program):
 
 
 def drives(check, program):
-    at_once(check, program, (not_named, named, as_write_does, stop_words, stops, stop_of_silent))
+    at_once(check, program, (not_named, named, as_write_does, stop_words, stops, shown_stops, stop_of_silent))
 
 
 # Words that a client may try, and where they would do something: control words, references, whose they are, what may be assigned to an input.

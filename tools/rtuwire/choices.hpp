@@ -21,6 +21,7 @@ struct typed_line {
     std::string unit{};                   ///< " -u 7"
     std::string drive{};                  ///< " -d atv320"
     std::string stray_port{};             ///< an operand that looks like a port
+    std::string stop{"stop"};             ///< the command that stops a motor there
     option_form form{option_form::typed}; ///< of the options that a message names
 };
 

@@ -243,7 +243,8 @@ private:
             return in_fault(why, drive, other);
         }
         return {exit_status::differs,
-                "the motor was not seen to stop: " + std::string{std::string_view{name_of(why.kind)}}};
+                "the motor was not seen to stop: " + std::string{std::string_view{name_of(why.kind)}} +
+                    way_past_server(why.error)};
     }
 
     /// How far the word has come.
@@ -258,10 +259,30 @@ private:
         return {exit_status::port, line_.port().failure() + "; " + word + "; " + way_to_stop(chosen_.line)};
     }
 
-    ending not_reached(errc why) const
+    /// A drive may hear and be mute: its motor has got the word then, and nobody knows it.
+    ending not_reached(errc why)
     {
         exit_status const status = why == errc::none ? exit_status::no_answer : status_of(why);
-        return {status, "the drive was not reached: " + words_of(why)};
+        std::string const sent =
+            line_.exchange().written() == written_word::unsent
+                ? "no word that stops the motor was sent"
+                : "the word that stops the motor was sent, and nothing confirmed it: a drive that "
+                  "hears and cannot answer follows it, one that does not hear runs on; look at the "
+                  "motor, and where it turns take the power from the drive";
+        return {status, (why == errc::none ? "no response" : line_.words_of_failure(why)) + "; " + sent + "; `" +
+                            shown_command(chosen_.line, "stop") + "` sends it again"};
+    }
+
+    /// What has the line for many clients lets no other word pass than the one that stops every drive, or none.
+    std::string way_past_server(errc why)
+    {
+        if (why != errc::illegal_function or not line_.port().is_connection()) {
+            return {};
+        }
+        return way_ != stop_by::freewheel
+                   ? "; what serves this line may let 0000 alone pass, by which the motor coasts: `" +
+                         shown_command(chosen_.line, "stop --freewheel") + "` sends it"
+                   : "; what serves this line may let no word pass: end it, and stop at the port that it has";
     }
 
     ending in_fault(rtuwire::altivar::reason const& why, drive_catalog const& drive, std::string const& other)

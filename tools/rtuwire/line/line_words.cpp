@@ -211,7 +211,7 @@ std::string shown_command(line_choices const& line, unit_address unit, std::stri
 
 std::string way_to_stop(line_choices const& line)
 {
-    return '`' + shown_command(line, "stop") + "` stops it, and says so, where the drive hears that";
+    return '`' + shown_command(line, line.typed.stop) + "` stops it, and says so, where the drive hears that";
 }
 
 rtuwire::duration seconds_in(double seconds)

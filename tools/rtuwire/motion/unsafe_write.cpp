@@ -105,7 +105,7 @@ void refuse_command(value_to_write const& value, write_rules const& rules, choic
             register_entry const* const entry = drive->at(address);
             refuse_for_safety((entry != nullptr ? std::string{entry->code} : std::to_string(address)) +
                               " commands the motor: that is what the command start is for; `" +
-                              shown_command(chosen.line, "stop") + "` stops it");
+                              shown_command(chosen.line, chosen.line.typed.stop) + "` stops it");
         }
         if (rules.command == address) {
             refuse_for_safety("register " + std::to_string(address) +

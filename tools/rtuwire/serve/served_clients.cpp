@@ -45,8 +45,7 @@ void served_clients::listen()
             throw ended{exit_status::port, std::string{name_of(each.protocol)} + "://" + made.socket.failure()};
         }
         if (settings_.gate.may_write and settings_.from.empty() and not is_loopback(host_of(made.socket.device()))) {
-            refuse_for_safety("--write with --listen " + std::string{name_of(each.protocol)} + "://" +
-                              made.socket.device() +
+            refuse_for_safety("--write with --listen " + place_of(made) +
                               ": whoever reaches that address could write; say --from with the clients that may");
         }
         listeners_.push_back(std::move(made));
@@ -68,7 +67,7 @@ void served_clients::begin()
             now() + std::chrono::duration_cast<serve_time::duration>(std::chrono::duration<double>{*settings_.last});
     }
     for (listener const& each : listeners_) {
-        std::string const where = std::string{name_of(each.protocol)} + "://" + each.socket.device();
+        std::string const where = place_of(each);
         events_.begin({{"listen", where}}, where + " listening");
     }
     if (metrics_.descriptor_number() >= 0) {

@@ -43,6 +43,8 @@ public:
 
     /// Takes the addresses, and serves nobody yet. Ends where it cannot, and where --write would be anybody's.
     void listen();
+    /// "mbap://127.0.0.1:1502": where it listens first.
+    [[nodiscard]] std::string place() const { return place_of(listeners_.front()); }
     /// Says where it listens. From here on signals are noted, and seen at once.
     void begin();
 
@@ -95,6 +97,10 @@ private:
         bool is_gone{false};
     };
 
+    static std::string place_of(listener const& at)
+    {
+        return std::string{name_of(at.protocol)} + "://" + at.socket.device();
+    }
     /// Waits once, and serves whom there is something of. Whether the descriptor has one of these events.
     bool pass(int descriptor, short events, serve_time until);
     serve_time next_deadline(serve_time until) const;

@@ -293,8 +293,11 @@ std::optional<std::vector<value_to_write>> served_line::judge_write(served_reque
         return std::nullopt;
     }
     choices judged = chosen_;
-    judged.allowed.knows_run = false;
-    judged.line.typed.unit = " -u " + std::to_string(request.unit); // of a command that a message shows
+    // A command that a message shows: the port is taken, and a client may say nothing but 0000.
+    judged.line.typed = {.program = chosen_.line.typed.program,
+                         .options = " -p " + clients_.place(),
+                         .unit = " -u " + std::to_string(request.unit),
+                         .stop = "stop --freewheel"};
     std::vector<value_to_write> values;
     auto const why = ended_by([&] { values = refuse_for_client(request.pdu, *line_, unit, *found.rules, judged); });
     if (why and why->status == exit_status::port) {
