@@ -241,6 +241,24 @@ def check_times(tool, check):
         check(ended.status == USAGE and "--every" in ended.errors, f"--every={each} is refused", ended)
 
 
+def check_without_value(tool, check):
+    """What an empty variable leaves of an option is named, whatever stands behind it."""
+    for words in (["serve", "--units=", "--for", "1s"], ["serve", "--units="], ["-u=", "read", "RFR"], ["--drive=", "read", "RFR"],
+                  ["scan", "--bauds=", "--units", "7"]):
+        ended = tool.run("--port", CABINET, *words)
+        option = next(each for each in words if each.endswith("="))
+        wanted = f"'{option}': no value stands behind it" if option.startswith("--") else ""
+        check(ended.status == USAGE and wanted in ended.errors and "1s" not in ended.errors, f"{words}", ended)
+
+
+def check_simulate(tool, check):
+    """Who shows no frames says so."""
+    for words in (["-v"], ["--trace", "frames.pcapng"]):
+        ended = tool.run(*words, "simulate", "atv320:7", limit=5)
+        check(ended.status == USAGE and f"{words[0]}: simulate shows no frames" in ended.errors and not (tool.place / "frames.pcapng").exists(),
+              f"{words} simulate", ended)
+
+
 def check_rs485(tool, check):
     """Said of what has no transceiver it is refused, before a frame leaves."""
     ended = tool.run("--port", CABINET, "-u", "7", "--rs485", "read", "RFR")
@@ -319,8 +337,8 @@ def main(check, program):
             ended = tool.run(*words)
             is_named = ended.errors.startswith("rtuwire: ") and all(part in ended.errors for part in parts)
             check(ended.status == USAGE and not ended.output and is_named, f"{words} is refused", ended)
-        for part in (check_help, check_completion, check_configuration, check_times, check_rs485, check_register_files, check_stop, check_stop_beside,
-                     check_gateway):
+        for part in (check_help, check_completion, check_configuration, check_times, check_without_value, check_simulate, check_rs485, check_register_files,
+                     check_stop, check_stop_beside, check_gateway):
             part(tool, check)
 
 

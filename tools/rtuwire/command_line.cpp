@@ -199,6 +199,10 @@ void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
                     "answer, and "
                     "nothing is changed there");
     }
+    if (chosen.command == "simulate" and (line.is_verbose or not line.trace_file.empty())) {
+        refuse_word(std::string{line.is_verbose ? "-v" : "--trace"} +
+                    ": simulate shows no frames; the command that asks its drives does, with the same option");
+    }
     for (std::string const& each : {chosen.file, chosen.scan.resume_file}) {
         if (is_one_file(line.trace_file, each)) {
             refuse_word("--trace " + line.trace_file + ": " + each + " is another file of this command already");
@@ -335,10 +339,25 @@ void read_register_files(choices& chosen, bool has_pause)
     line.pause = has_pause ? line.pause : pause.value_or(line.pause);
 }
 
+/// "--units=": CLI11 would take the next word for its value. A configuration without a name has words of its own.
+std::optional<std::string> word_without_value(int argc, char** argv)
+{
+    for (int i = 1; i < argc and argv[i] != std::string_view{"--"}; ++i) {
+        std::string_view const word = argv[i];
+        if (word.starts_with("--") and word.find('=') + 1 == word.size() and word != "--config=") {
+            return std::string{word};
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 parsed parse(int argc, char** argv)
 {
+    if (auto const word = word_without_value(argc, argv)) {
+        refuse_word("'" + *word + "': no value stands behind it; say one, or leave the option out");
+    }
     choices chosen;
     std::string const wrong = configure(argc, argv, chosen.line);
     line_choices const of_file = chosen.line;
@@ -350,7 +369,7 @@ parsed parse(int argc, char** argv)
     app.add_option(
         "--config", ignored,
         "a file with what is said each time: port, unit, baud, format, drive, name, timeout, retries, pause,\n"
-        "echo, listen, such as port = \"/dev/ttyUSB0\" and name = [\"fan=7:atv320\"];\n"
+        "echo, rs485, listen, such as port = \"/dev/ttyUSB0\" and name = [\"fan=7:atv320\"];\n"
         "without it ./rtuwire.toml, then " TOOL_CONFIGURATION);
     add_words(app, chosen);
     try {
