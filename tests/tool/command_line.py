@@ -10,7 +10,7 @@ import shlex
 import shutil
 import subprocess
 
-from support import DONE, NO_ANSWER, PORT, USAGE, Line, Tool, runs
+from support import DIFFERS, DONE, NO_ANSWER, PORT, USAGE, Line, Tool, runs, soon
 
 CABINET = "sim:atv320:7,atv12:3"
 
@@ -308,6 +308,25 @@ def check_stop_beside(tool, check):
     (tool.place / "rtuwire.toml").unlink()
 
 
+def check_holder(tool, check):
+    """Who has the port is named; of a motor nothing is said where none is run."""
+    with Line() as line:
+        watch = tool.start("--no-listen", "-u", 7, "-d", "none", "watch", "40", port=line.name)
+        soon(lambda: line.heard, 20)
+        ended = tool.run("-u", 7, "read", "40", port=line.name)
+        watch.kill()
+        watch.communicate()
+        wanted = f"held by rtuwire (process {watch.pid}): two programs cannot share a port; end that first"
+        check(ended.status == PORT and wanted in ended.errors and "motor" not in ended.errors, "a port that a watch has", ended)
+
+
+def check_names(tool, check):
+    """Names of no drive are looked for in a register file, which has an option."""
+    (tool.place / "level.toml").write_text('[[register]]\nname = "level"\naddress = 5\n')
+    ended = tool.run("-p", "sim:level.toml:61", "-u", 61, "read", "level")
+    check(ended.status == DIFFERS and ended.errors.rstrip().endswith("names of what is no drive need --device FILE"), "a name without its file", ended)
+
+
 def check_gateway(tool, check):
     """The gateway is a program of its own: beside this one, or in PATH."""
     place, path = tool.place / "alone", tool.place / "path"
@@ -338,7 +357,7 @@ def main(check, program):
             is_named = ended.errors.startswith("rtuwire: ") and all(part in ended.errors for part in parts)
             check(ended.status == USAGE and not ended.output and is_named, f"{words} is refused", ended)
         for part in (check_help, check_completion, check_configuration, check_times, check_without_value, check_simulate, check_rs485, check_register_files,
-                     check_stop, check_stop_beside, check_gateway):
+                     check_stop, check_stop_beside, check_holder, check_names, check_gateway):
             part(tool, check)
 
 

@@ -195,7 +195,7 @@ def by_fault(motor, program, check):
 def by_lost_line(motor, program, check):
     process = turning(motor, program, check, "lost line")
     _, _, error = end(motor.tool(program, "stop"))
-    check(f"held by rtuwire (process {process.pid}): end that first (Ctrl-C" in error, "who holds the line is told", error)
+    check(f"held by rtuwire (process {process.pid}): two programs cannot share a port; end that first (Ctrl-C" in error, "who holds the line is told", error)
     motor.suffer("cut")
     found, _, error = end(process)
     check(found == 3 and "the link is lost" in error and re.search(r"own time-out of \d+\.\d s is over; `.* stop`", error),

@@ -7,9 +7,13 @@
 #include <fstream>
 #include <string>
 
+#include <grp.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "support/catch.hpp"
+
+#include "port/device_holder.hpp"
 
 namespace {
 
@@ -94,4 +98,22 @@ TEST_CASE("serial ports of macOS are told by the names that wait for no modem")
     REQUIRE(found.size() == 2);
     CHECK(found[0].device == "/dev/cu.Bluetooth-Incoming-Port");
     CHECK((found[1].device == "/dev/cu.usbserial-A1" and found[1].driver.empty()));
+}
+
+TEST_CASE("the group that may open a device is told, with what makes one a member")
+{
+    system_folder const system;
+    fs::path const device = system.root() / "ttyUSB0";
+    write(device, "");
+    group const* const owner = ::geteuid() == 0 ? ::getgrnam("tty") : ::getgrgid(::getegid());
+    REQUIRE(owner != nullptr);
+    std::string const name = owner->gr_name;
+    REQUIRE(::chown(device.c_str(), static_cast<uid_t>(-1), owner->gr_gid) == 0);
+    ::chmod(device.c_str(), 0660);
+    std::string const words = tool::words_of_group(device.string());
+    CHECK(words.starts_with("it belongs to the group " + name + ": `sudo usermod -aG " + name + ' '));
+    CHECK(words.ends_with("`, then log in anew"));
+    ::chmod(device.c_str(), 0600); // a group may not open it: being one of it is no help
+    CHECK(tool::words_of_group(device.string()).empty());
+    CHECK(tool::words_of_group((system.root() / "none").string()).empty());
 }

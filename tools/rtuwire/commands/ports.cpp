@@ -19,7 +19,7 @@ exit_status run_ports(choices const& chosen)
                      {"maker", each.maker},
                      {"product", each.product},
                      {"serial", each.serial},
-                     {"used by", holder_of(each.device)},
+                     {"used by", holder_of(each.device).name},
                      {"stable name", each.stable}});
     }
     results.finish();

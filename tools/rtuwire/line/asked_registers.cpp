@@ -52,8 +52,17 @@ drive_catalog const* table_of(open_line& line, named_unit const& unit, std::vect
     }
     std::vector<std::string_view> const views{words.begin(), words.end()};
     bool const has_numbers_only = not select_registers(views, nullptr).refused;
-    return has_numbers_only ? drive_of_numbers(line, unit.unit, first_menu_number(views))
-                            : &catalog_of(line, unit.unit, {});
+    if (has_numbers_only) {
+        return drive_of_numbers(line, unit.unit, first_menu_number(views));
+    }
+    drive_catalog const* drive = nullptr;
+    auto const why = ended_by([&] { drive = &catalog_of(line, unit.unit, {}); });
+    if (why) {
+        throw ended{why->status, why->what() + std::string{why->status == exit_status::differs
+                                                               ? "; names of what is no drive need --device FILE"
+                                                               : ""}};
+    }
+    return drive;
 }
 
 /// Those words that name registers of this unit; the others it lacks.

@@ -23,6 +23,17 @@ using rtuwire::result;
 using rtuwire::serial_settings;
 using rtuwire::tcp_stream;
 
+namespace {
+
+std::string words_of_holder(device_holder const& who)
+{
+    return who.name.empty() ? std::string{}
+                            : "held by " + who.name + ": two programs cannot share a port; end that first" +
+                                  (who.is_start ? " (Ctrl-C ends start, whose motor stops with it)" : "");
+}
+
+} // namespace
+
 result<void> any_port::open(port_description const& described, serial_settings const& settings)
 {
     close();
@@ -41,9 +52,11 @@ result<void> any_port::open_one(serial_device const& chosen, serial_settings con
         not nearest.empty()) {
         own_failure_ = port.failure() + "; did you mean " + nearest + "?";
     }
-    if (std::string const holder = opened == errc::device_in_use ? holder_of(chosen.path) : ""; not holder.empty()) {
-        own_failure_ =
-            port.failure() + "; held by " + holder + ": end that first (Ctrl-C ends start, whose motor stops with it)";
+    std::string const more = opened == errc::device_in_use          ? words_of_holder(holder_of(chosen.path))
+                             : opened == errc::device_access_denied ? words_of_group(chosen.path)
+                                                                    : std::string{};
+    if (not more.empty()) {
+        own_failure_ = port.failure() + "; " + more;
     }
     return opened;
 }

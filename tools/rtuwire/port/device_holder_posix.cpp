@@ -7,12 +7,31 @@
 #include <fstream>
 #include <sstream>
 
+#include <grp.h>
+#include <pwd.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <unistd.h>
 
 namespace tool {
 
-std::string holder_of(std::string const& device)
+namespace {
+
+/// Whether the command of a process is `start`.
+bool is_start(std::string const& process)
+{
+    std::ifstream words{"/proc/" + process + "/cmdline"};
+    for (std::string word; std::getline(words, word, '\0');) {
+        if (word == "start") {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+device_holder holder_of(std::string const& device)
 {
     struct stat status {};
     if (::stat(device.c_str(), &status) != 0) {
@@ -29,10 +48,24 @@ std::string holder_of(std::string const& device)
         if (kind == "FLOCK" and place == file) {
             std::string name;
             std::getline(std::ifstream{"/proc/" + process + "/comm"}, name);
-            return name.empty() ? name : name + " (process " + process + ")";
+            return name.empty()
+                       ? device_holder{}
+                       : device_holder{name + " (process " + process + ")", name == "rtuwire" and is_start(process)};
         }
     }
     return {};
+}
+
+std::string words_of_group(std::string const& device)
+{
+    struct stat status {};
+    bool const may_group = ::stat(device.c_str(), &status) == 0 and (status.st_mode & 060) == 060;
+    group const* const owner = may_group and status.st_gid != 0 ? ::getgrgid(status.st_gid) : nullptr;
+    std::string const name = owner != nullptr ? owner->gr_name : "";
+    passwd const* const user = name.empty() ? nullptr : ::getpwuid(::geteuid());
+    return user == nullptr ? std::string{}
+                           : "it belongs to the group " + name + ": `sudo usermod -aG " + name + ' ' + user->pw_name +
+                                 "`, then log in anew";
 }
 
 } // namespace tool

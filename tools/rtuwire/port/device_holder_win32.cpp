@@ -4,6 +4,8 @@
 
 namespace tool {
 
-std::string holder_of(std::string const&) { return {}; } // Windows tells nobody
+device_holder holder_of(std::string const&) { return {}; } // Windows tells nobody
+
+std::string words_of_group(std::string const&) { return {}; }
 
 } // namespace tool
