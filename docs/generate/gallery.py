@@ -102,14 +102,11 @@ def errors(project):
     return found
 
 
-def errors_page(found):
-    lines = []
-    for number, name, words, cause, remedy in found:
-        if name == "none":
-            continue
-        lines += [f"### {name} ({number}) {{#errors-errc-{name}}}", "", f"Shown as \"{words}\".", "", f"**Cause:** {cause}", "",
-                  f"**Remedy:** {remedy}", ""]
-    return "\n".join(lines)
+def errors_page(found, place='<a id="errors-errc-{}"></a>'):
+    """A row for each: its name and number, the words that are shown of it, its cause and its remedy."""
+    lines = ["| error | shown as | cause | remedy |", "| --- | --- | --- | --- |"]
+    return "\n".join(lines + [f"| {place.format(name)}`{name}` {number} | {words} | {cause} | {remedy} |" for number, name, words, cause, remedy in found
+                              if name != "none"])
 
 
 def pages(project, build):

@@ -1,27 +1,28 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Puts more into the search, which Doxygen fills with names of C++ and titles of pages: the headings of all pages by each of their
-words, the errors by name, words and number, and the words of docs/glossary.md, which lead to what we call it.
+"""Writes what the search of the site finds, which site/site.js looks through: the words of docs/glossary.md, which lead to what we
+call it, the errors by name, words and number, the headings of all pages, and the names of the reference.
 
-    python3 search.py SITE
+    python3 search.py SITE TAGS
 """
 import html
 import json
 import pathlib
 import re
-import shutil
 import sys
+import xml.etree.ElementTree
+
+from reference import short, with_ending
 
 ERRORS, GLOSSARY, CHANGES = "errors", "glossary", "changelog"
 HEADING = re.compile(r'<h[1-6]><a class="anchor" id="(?P<anchor>[\w-]+)"></a>\s*(?P<words>.*?)\s*</h[1-6]>', re.DOTALL)
 TITLE = re.compile(r'<div class="title">(.*?)\s*</div>', re.DOTALL)
-ERROR = re.compile(r"errors-(?:errc-\w+|late-answer)")
+ERROR = re.compile(r'id="(?P<anchor>errors-errc-\w+)"></a>\s*<code>(?P<name>\w+)</code>.*?0x(?P<number>[0-9A-F]{2})', re.DOTALL)
 ROW = re.compile(r'<tr class="markdownTableRow(?:Odd|Even)">\s*(.*?)\s*</tr>', re.DOTALL)
 CELL = re.compile(r"<td[^>]*>(.*?)</td>", re.DOTALL)
-LETTERS = re.compile(r'(0: ")([^"]*)(")')
-ENTRIES_BEGIN = "var searchData=\n[\n"
-SMALL = frozenset("a an and are as at by does for from in is it its of on one or that the to what when where which who with".split())
-FEWEST = {"errors": 30, "headings": 150, "words": 150}  # less means that a page is made otherwise
+FEWEST = {"words": 250, "errors": 50, "headings": 300, "names": 1000}  # less means that a page is made otherwise
+# Of two that fit as well the one of the larger rank comes first; what has changed comes behind what is.
+RANKS = {"words": 60, "errors": 50, "headings": 30, "names": 20, "changes": -300}
 
 
 def text_of(markup):
@@ -29,54 +30,33 @@ def text_of(markup):
     return " ".join(re.sub(r"</?(?:tt|code)>", "", words).split())
 
 
-def entry(words, shown, place, scope):
-    return {"words": words, "shown": shown, "place": place, "scope": scope}
-
-
-def by_each_word(words):
-    """A sentence from each of its words on: the search compares beginnings."""
-    parts = re.split(r"[\s_]+", words)
-    for at, part in enumerate(parts):
-        bare = re.sub(r"^\W+", "", part)
-        if bare and (at == 0 or bare.lower() not in SMALL):
-            yield " ".join([bare, *parts[at + 1:]])
+def entry(kind, shown, place, where, words=""):
+    """What is shown, the words that find it where they are others, its place, the line below it, its rank."""
+    return [shown, "" if words == shown else words, place, where, RANKS[kind]]
 
 
 def errors(page):
-    """Each error: by its name, by its words, and an exception by its number."""
-    for found in HEADING.finditer(page):
-        if not ERROR.fullmatch(found["anchor"]):
-            continue
-        name, _, code = text_of(found["words"]).partition(" (0x")
-        place = f"{ERRORS}.html#{found['anchor']}"
-        if "_" in name:
-            yield entry(name, name, place, "cause and remedy")
-        for words in by_each_word(name):
-            yield entry(words, name, place, "cause and remedy")
-        number = int(code.rstrip(")"), 16) if code else 0
+    """Each error: by its name, and an exception by its number."""
+    for found in ERROR.finditer(page):
+        name, place, number = found["name"], f"{ERRORS}.html#{found['anchor']}", int(found["number"], 16)
+        yield entry("errors", name, place, "cause and remedy")
         if 0 < number < 0x80:
             shown = f"exception {number:02X}: {name.replace('_', ' ')}"
             for words in (shown, f"exception code {number:02X}", f"exception 0x{number:02X}", f"exception {number}"):
-                yield entry(words, shown, place, "cause and remedy")
+                yield entry("errors", shown, place, "cause and remedy", words)
 
 
 def headings(name, page):
-    """The headings of a page that the project wrote, by each word, and behind the page's title."""
+    """The headings of a page that the project wrote, alone and behind the page's title."""
     title = text_of(TITLE.search(page)[1])
-    own = [found for found in HEADING.finditer(page) if found["anchor"].startswith(f"{name}-") and not ERROR.fullmatch(found["anchor"])]
-    if not own:
-        return
-    for words in by_each_word(title):
-        yield entry(words, title, f"{name}.html", "page")
+    own = [found for found in HEADING.finditer(page) if found["anchor"].startswith(f"{name}-")]
+    kind = "changes" if name == CHANGES else "headings"
+    if own or f'id="{name}"' in page:
+        yield entry(kind, title, f"{name}.html", "page")
     for found in own:
         shown, place = text_of(found["words"]), f"{name}.html#{found['anchor']}"
-        for words in (*by_each_word(shown), f"{title} {shown}"):
-            yield entry(words, shown, place, title)
-
-
-def in_order(names):
-    """The pages of which each name is; what has changed comes behind what is."""
-    return sorted(names, key=lambda name: (name == CHANGES, name))
+        yield entry(kind, shown, place, title)
+        yield entry(kind, shown, place, title, f"{title} {shown}")
 
 
 def rows(page):
@@ -93,8 +73,7 @@ def glossary(page):
     """Each word of the glossary, which leads to the page of its row."""
     for words, meaning, place in rows(page):
         for word in words:
-            for begin in by_each_word(word):
-                yield entry(begin, word, place, text_of(meaning))
+            yield entry("words", word, place, text_of(meaning))
 
 
 def without_answer(site, page):
@@ -106,54 +85,35 @@ def without_answer(site, page):
             yield f"{place} has nothing of '{', '.join(words)}'"
 
 
-def spelled(words):
-    """As Doxygen's script looks for it."""
-    return re.sub(r"[^a-z0-9]", lambda sign: f"_{ord(sign[0]):02x}", words.lower())
+def names(tags):
+    """The names of the reference, each with the class or the namespace that has it; overloads once."""
+    seen = set()
+    for compound in xml.etree.ElementTree.parse(tags).getroot():
+        kind, path, page = compound.get("kind"), compound.findtext("name"), with_ending(compound.findtext("filename"))
+        if kind not in ("namespace", "struct", "class", "concept"):
+            continue
+        if kind != "namespace":
+            yield entry("names", short(path), page, f"{kind}, reference")
+        for member in compound.findall("member"):
+            name, owner = member.findtext("name"), short(path) if kind != "namespace" else path
+            if (name, owner) not in seen and not name.startswith(("operator", "~")):
+                seen.add((name, owner))
+                place = f"{with_ending(member.findtext('anchorfile'))}#{member.findtext('anchor')}"
+                yield entry("names", name, place, f"{member.get('kind')} of {owner}, reference", f"{name} {owner}")
 
 
-def list_of(place, letter):
-    """The file of all results that begin with a letter; a new one where there was none."""
-    data = place / "searchdata.js"
-    text = data.read_text(encoding="utf-8")
-    letters = LETTERS.search(text)[2]
-    if letter not in letters:
-        data.write_text(LETTERS.sub(lambda found: f"{found[1]}{letters}{letter}{found[3]}", text, count=1), encoding="utf-8")
-        number = f"{len(letters):x}"
-        (place / f"all_{number}.js").write_text(f"{ENTRIES_BEGIN}];\n", encoding="utf-8")
-        shutil.copy(place / "all_0.html", place / f"all_{number}.html")
-        page = (place / f"all_{number}.html").read_text(encoding="utf-8")
-        (place / f"all_{number}.html").write_text(page.replace("all_0.js", f"all_{number}.js"), encoding="utf-8")
-        letters += letter
-    return place / f"all_{letters.index(letter):x}.js"
-
-
-def add(place, entries):
-    """More results, each in the list of its first letter, before those that are there."""
-    lists = {}
-    for number, each in enumerate(entries):
-        row = [f"{spelled(each['words'])}_e{number}", [each["shown"], [f"../{each['place']}", 1, each["scope"]]]]
-        lists.setdefault(each["words"][0].lower(), []).append(f"  {json.dumps(row)}")
-    for letter, rows in lists.items():
-        path = list_of(place, letter)
-        text = path.read_text(encoding="utf-8")
-        if ENTRIES_BEGIN not in text:
-            raise ValueError(f"{path.name} is no list of results")
-        rest = text.partition(ENTRIES_BEGIN)[2]
-        more = ",\n".join(rows) + ("\n" if rest.startswith("]") else ",\n")
-        path.write_text(text.replace(ENTRIES_BEGIN, ENTRIES_BEGIN + more, 1), encoding="utf-8")
-
-
-def main(site):
+def main(site, tags):
     site = pathlib.Path(site)
     pages = {path.stem: path.read_text(encoding="utf-8") for path in sorted(site.glob("*.html"))}
-    found = {"words": list(glossary(pages[GLOSSARY])), "headings": [each for name in in_order(pages) if TITLE.search(pages[name])
-                                                                    for each in headings(name, pages[name])],
-             "errors": list(errors(pages[ERRORS]))}
+    found = {"words": list(glossary(pages[GLOSSARY])), "errors": list(errors(pages[ERRORS])),
+             "headings": [each for name, page in pages.items() if TITLE.search(page) for each in headings(name, page)],
+             "names": list(names(tags))}
     empty = list(without_answer(site, pages[GLOSSARY]))
     if empty:
         print("\n".join(empty))
         return 1
-    add(site / "search", [each for kind in found.values() for each in kind])
+    entries = ",\n".join(json.dumps(each, ensure_ascii=False, separators=(",", ":")) for kind in found.values() for each in kind)
+    (site / "search.js").write_text(f"window.searchIndex = [\n{entries}\n];\n", encoding="utf-8")
     print("the search leads to " + ", ".join(f"{len(each)} {kind}" for kind, each in found.items()))
     return 0 if all(len(found[kind]) >= least for kind, least in FEWEST.items()) else 1
 

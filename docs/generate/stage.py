@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Puts together what Doxygen reads: pages, headers, what is made of tables and tests, the menu and the frame of each page.
+"""Puts together what Doxygen reads: pages, headers, what is made of tables and tests, and the menu.
 
     python3 stage.py PROJECT BUILD THEME
 """
@@ -22,8 +22,8 @@ from pages import BrokenLink, Pages, headings, identifier, lines_with_code
 CONTENTS = "docs/README.md"
 APPS = (("playground", "Playground"), ("line", "The line"))
 ENTRY = re.compile(r"^- \[([^\]]+)\]\(([^)]+)\)")
-SCRIPTS = ("darkmode-toggle", "fragment-copy-button", "paragraph-link", "interactive-toc")
-STYLES = ("doxygen-awesome.css", "doxygen-awesome-sidebar-only.css", "doxygen-awesome-sidebar-only-darkmode-toggle.css")
+SCRIPTS = ("fragment-copy-button", "paragraph-link", "interactive-toc")
+STYLES = ("doxygen-awesome.css", "doxygen-awesome-sidebar-only.css")
 
 
 def contents(pages):
@@ -68,26 +68,14 @@ def write_layout(build, menu, apps):
     (build / "layout.xml").write_text(text, encoding="utf-8")
 
 
-def write_frame(build):
-    """Doxygen's own head of a page, with the theme's scripts."""
-    subprocess.run(["doxygen", "-w", "html", "header.html", "footer.html", "doxygen.css"], cwd=build, check=True,
-                   stdout=subprocess.DEVNULL)
-    text = (build / "header.html").read_text(encoding="utf-8")
-    scripts = "".join(f'<script type="text/javascript" src="$relpath^doxygen-awesome-{name}.js"></script>\n'
-                      for name in SCRIPTS)
-    scripts += '<script type="text/javascript" src="$relpath^site.js"></script>\n'
-    text = text.replace("<html ", '<html lang="en" ', 1).replace("</head>", f"{scripts}</head>")
-    (build / "header.html").write_text(text, encoding="utf-8")
-
-
 def write_settings(project, build, theme):
     site = project / "docs" / "site"
-    styles = [theme / name for name in STYLES] + [site / "site.css"]
-    files = [theme / f"doxygen-awesome-{name}.js" for name in SCRIPTS] + [site / "site.js"]
+    styles = [theme / name for name in STYLES] + [site / "find.css", site / "site.css"]
+    files = [theme / f"doxygen-awesome-{name}.js" for name in SCRIPTS] + [site / "site.js", site / "icon.svg"]
     settings = {
         "OUTPUT_DIRECTORY": build, "INPUT": f"{build}/pages {build}/include", "STRIP_FROM_PATH": f"{build}/include {build}/pages",
         "STRIP_FROM_INC_PATH": f"{build}/include", "EXAMPLE_PATH": f"{project} {build} {build}/diagrams", "GENERATE_TAGFILE": build / "tags.xml", "LAYOUT_FILE": build / "layout.xml",
-        "HTML_HEADER": build / "header.html", "HTML_EXTRA_STYLESHEET": " ".join(map(str, styles)),
+        "HTML_HEADER": site / "header.html", "HTML_FOOTER": site / "footer.html", "HTML_EXTRA_STYLESHEET": " ".join(map(str, styles)),
         "HTML_EXTRA_FILES": " ".join(map(str, files)), "PROJECT_NUMBER": version(project),
         "USE_MDFILE_AS_MAINPAGE": f"{build}/pages/README.md", "INCLUDE_PATH": f"{build}/include"}
     text = (project / "docs" / "Doxyfile").read_text(encoding="utf-8")
@@ -146,7 +134,6 @@ def main(project, build, theme):
     headers.stage(project, build / "include")
     write_pages(project, build, pages)
     write_layout(build, menu, [(folder, title) for folder, title in APPS if (project / "docs" / folder / "build.sh").exists()])
-    write_frame(build)
     write_settings(project, build, theme)
     print(f"{len(pages.texts)} pages, {len(pages.programs)} programs, {len(made)} parts made from tables and tests; "
           f"{sum(len(headings(text)) for text in pages.texts.values())} headings")

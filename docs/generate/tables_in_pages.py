@@ -38,12 +38,6 @@ def of_drives(facts):
     return made
 
 
-def errors(found):
-    lines = ["| error | shown as | cause | remedy |", "| --- | --- | --- | --- |"]
-    return "\n".join(lines + [f"| `{name}` {number} | {words} | {cause} | {remedy} |" for number, name, words, cause, remedy in found
-                              if name != "none"])
-
-
 def flowchart(edges):
     """The picture of (from, to, words) in the language that git hosts draw."""
     names = {name: f"s{at}" for at, name in enumerate(dict.fromkeys(each for begin, end, _ in edges for each in (begin, end)))}
@@ -67,7 +61,7 @@ REFUSED = """Each is a file of [tests/fail](../tests/fail): what it does, the se
 
 def kept(project, facts):
     """What a page keeps, by its name."""
-    return {**of_drives(facts), **of_machines(facts), **mutation.pages(project), "errors": errors(gallery.errors(project)),
+    return {**of_drives(facts), **of_machines(facts), **mutation.pages(project), "errors": gallery.errors_page(gallery.errors(project), place=""),
             "refused acts": REFUSED}
 
 

@@ -53,6 +53,11 @@ class Links(Folder):
         self.write("a.html", '<img src="p.png"><script src="s.js"></script>')
         self.assertEqual(len(self.found()), 2)
 
+    def test_a_state_of_the_playground_by_its_name(self):
+        self.write("playground/index.html", '<script>const namedStates = {\n  "running": "atv320;1:power=1;2",\n};</script>')
+        self.write("a.html", '<a href="playground/index.html#running">a</a> <a href="playground/index.html#flying">b</a>')
+        self.assertEqual(self.found(), ["a.html:1: playground/index.html#flying: no such place"])
+
     def test_a_link_out_of_the_site(self):
         self.write("outside.html", "x")
         self.write("site/a.html", '<a href="../outside.html">b</a>')
@@ -68,63 +73,47 @@ def heading(anchor, words):
     return f'<h2><a class="anchor" id="{anchor}"></a>\n{words}</h2>'
 
 
+ERRORS_TABLE = """<tr><td><a id="errors-errc-illegal_data_address"></a><code>illegal_data_address</code> 0x02</td></tr>
+<tr><td><a id="errors-errc-busy"></a><code>busy</code> 0x86</td></tr>"""
+TAGS = """<tagfile><compound kind="class"><name>rtuwire::client&lt; T &gt;</name><filename>classclient</filename>
+<member kind="function"><name>advance</name><anchorfile>classclient.html</anchorfile><anchor>a1</anchor></member>
+<member kind="function"><name>advance</name><anchorfile>classclient.html</anchorfile><anchor>a2</anchor></member>
+<member kind="function"><name>operator==</name><anchorfile>classclient.html</anchorfile><anchor>a3</anchor></member></compound>
+<compound kind="file"><name>client.hpp</name><filename>client_8hpp</filename></compound></tagfile>"""
+
+
 class Search(Folder):
-    def lists(self, letters, **entries):
-        self.write("search/searchdata.js", f'var indexSectionsWithContent =\n{{\n  0: "{letters}",\n  1: "b"\n}};\n')
-        self.write("search/all_0.html", '<script src="all_0.js"></script>')
-        for name, text in entries.items():
-            self.write(f"search/{name}.js", text)
+    def test_an_error_by_name_and_number(self):
+        found = list(search.errors(ERRORS_TABLE))
+        words = {words or shown for shown, words, *_ in found}
+        self.assertEqual(words, {"illegal_data_address", "busy", "exception 02: illegal data address", "exception code 02", "exception 0x02",
+                                 "exception 2"})
+        self.assertEqual({place for _, _, place, *_ in found}, {"errors.html#errors-errc-illegal_data_address", "errors.html#errors-errc-busy"})
 
-    def text(self, name):
-        return (self.place / "search" / name).read_text(encoding="utf-8")
-
-    def test_a_result_comes_before_those_that_are_there(self):
-        self.lists("abc", all_2="var searchData=\n[\n  ['crc_0',['crc',['../x.html',1,'rtuwire']]]\n];\n")
-        search.add(self.place / "search", [search.entry("crc_mismatch", "crc_mismatch", "errors.html#errors-errc-crc_mismatch", "cause")])
-        self.assertEqual(self.text("all_2.js"),
-                         'var searchData=\n[\n  ["crc_5fmismatch_e0", ["crc_mismatch", ["../errors.html#errors-errc-crc_mismatch", 1, '
-                         "\"cause\"]]],\n  ['crc_0',['crc',['../x.html',1,'rtuwire']]]\n];\n")
-
-    def test_a_letter_that_nothing_began_with(self):
-        self.lists("abc")
-        search.add(self.place / "search", [search.entry("8N1", "8N1", "a.html", "b"), search.entry("8E1", "8E1", "a.html", "b")])
-        self.assertIn('0: "abc8"', self.text("searchdata.js"))
-        self.assertEqual(self.text("all_3.html"), '<script src="all_3.js"></script>')
-        self.assertEqual(self.text("all_3.js").count('"../a.html"'), 2)
-        self.assertTrue(self.text("all_3.js").endswith("]]]\n];\n"))
-
-    def test_an_error_by_name_words_and_number(self):
-        page = heading("errors-late-answer", "Late answer") + heading("errors-errc-illegal_data_address", "illegal_data_address (0x02)") + \
-            heading("errors-errc-busy", "busy (0x86)") + heading("errors-read_only", "read only")
-        words = {each["words"] for each in search.errors(page)}
-        self.assertLessEqual({"Late answer", "answer", "illegal_data_address", "illegal data address", "address", "busy",
-                              "exception 02: illegal data address", "exception code 02", "exception 0x02", "exception 2"}, words)
-        self.assertFalse({each for each in words if "86" in each or "read" in each})
-
-    def test_a_heading_by_each_word_and_behind_its_title(self):
+    def test_a_heading_alone_and_behind_its_title(self):
         page = page_of("ATV12", heading("drives_atv12-scanner", "Scanner and cycle") + heading("other-place", "Elsewhere"))
-        found = {each["words"]: each["place"] for each in search.headings("drives_atv12", page)}
+        found = {words or shown: place for shown, words, place, *_ in search.headings("drives_atv12", page)}
         self.assertEqual(found, {"ATV12": "drives_atv12.html", "Scanner and cycle": "drives_atv12.html#drives_atv12-scanner",
-                                 "cycle": "drives_atv12.html#drives_atv12-scanner", "ATV12 Scanner and cycle": "drives_atv12.html#drives_atv12-scanner"})
+                                 "ATV12 Scanner and cycle": "drives_atv12.html#drives_atv12-scanner"})
 
     def test_a_heading_with_code_is_its_words(self):
-        found = [each["words"] for each in search.headings("a", page_of("A", heading("a-b", "The &lt;tt&gt;rtuwire&lt;/tt&gt; tool")))]
-        self.assertEqual(found, ["A", "The rtuwire tool", "rtuwire tool", "tool", "A The rtuwire tool"])
+        found = [words or shown for shown, words, *_ in search.headings("a", page_of("A", heading("a-b", "The &lt;tt&gt;rtuwire&lt;/tt&gt; tool")))]
+        self.assertEqual(found, ["A", "The rtuwire tool", "A The rtuwire tool"])
         self.assertEqual(pages.plain("a.md", "The `rtuwire` tool"), "The rtuwire tool")
         with self.assertRaises(pages.BrokenLink):
             pages.plain("a.md", "A `table<...>` of registers")
 
     def test_what_has_changed_is_found_last(self):
-        self.assertEqual(search.in_order(["changelog", "tool", "maintenance"]), ["maintenance", "tool", "changelog"])
+        ranks = {name: next(iter(search.headings(name, page_of("A", heading(f"{name}-b", "B")))))[4] for name in ("changelog", "tool")}
+        self.assertLess(ranks["changelog"], ranks["tool"] - 200)
 
     def rows(self, *cells):
         return '<tr class="markdownTableRowOdd">' + "".join(f'<td class="x">{cell}</td>' for cell in cells) + "</tr>"
 
     def test_the_words_of_the_glossary(self):
         row = self.rows("slave, Modbus slave", "a <code>server</code>", '<a href="a.html#b">A</a>')
-        self.assertEqual([(each["words"], each["shown"], each["place"], each["scope"]) for each in search.glossary(row)],
-                         [("slave", "slave", "a.html#b", "a server"), ("Modbus slave", "Modbus slave", "a.html#b", "a server"),
-                          ("slave", "Modbus slave", "a.html#b", "a server")])
+        self.assertEqual([each[:4] for each in search.glossary(row)],
+                         [["slave", "", "a.html#b", "a server"], ["Modbus slave", "", "a.html#b", "a server"]])
         with self.assertRaises(ValueError):
             list(search.glossary(self.rows("slave", "server", "nowhere")))
 
@@ -137,19 +126,17 @@ class Search(Folder):
         self.write("a.html", "<p>Parameters and servers, <a href='slave'>and an answer</a>.</p>")
         self.assertEqual(list(search.without_answer(self.place, row)), ["a.html#b has nothing of 'slave, RAM'"])
 
-    def test_words_as_the_search_spells_them(self):
-        self.assertEqual(search.spelled("Late answer"), "late_20answer")
-
-    def test_a_list_that_is_none(self):
-        self.lists("b", all_0="nothing")
-        with self.assertRaises(ValueError):
-            search.add(self.place / "search", [search.entry("busy", "busy", "errors.html#errors-errc-busy", "")])
+    def test_the_names_of_the_reference_once(self):
+        self.write("tags.xml", TAGS)
+        found = [(shown, place, where) for shown, _, place, where, _ in search.names(self.place / "tags.xml")]
+        self.assertEqual(found, [("client", "classclient.html", "class, reference"),
+                                 ("advance", "classclient.html#a1", "function of client, reference")])
 
     def test_a_site_without_errors_fails(self):
-        self.lists("abc")
+        self.write("tags.xml", TAGS)
         self.write("errors.html", "<h1>Gallery</h1>")
         self.write("glossary.html", "<h1>Words</h1>")
-        self.assertEqual(search.main(self.place), 1)
+        self.assertEqual(search.main(self.place, self.place / "tags.xml"), 1)
 
 
 class Pages(Folder):
@@ -228,6 +215,8 @@ class Gallery(Folder):
     def test_cause_and_remedy(self):
         found = self.errors("    /// It is bad.\n    /// Remedy: Make it\n    /// good.\n")
         self.assertEqual(found[1], ("0x01", "bad", "bad", "It is bad.", "Make it good."))
+        self.assertEqual(gallery.errors_page(found).split("\n")[2:],
+                         ['| <a id="errors-errc-bad"></a>`bad` 0x01 | bad | It is bad. | Make it good. |'])
 
     def test_no_remedy_and_no_comment(self):
         for comment in ("    /// It is bad.\n", ""):

@@ -49,5 +49,5 @@ class Made(unittest.TestCase):
                          '    s1 -->|"z"| s0\n```')
 
     def test_an_error_is_a_row(self):
-        rows = kept.errors([("0x00", "none", "no error", "x", ""), ("0x80", "bad", "it is bad", "Why.", "Do this.")])
+        rows = kept.gallery.errors_page([("0x00", "none", "no error", "x", ""), ("0x80", "bad", "it is bad", "Why.", "Do this.")], place="")
         self.assertEqual(rows.splitlines()[2:], ["| `bad` 0x80 | it is bad | Why. | Do this. |"])
