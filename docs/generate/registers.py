@@ -27,11 +27,11 @@ def meaning(entries):
 
 
 def table(drive, facts):
-    lines = ["| register | address | name | access | step | lowest | highest | as delivered | source |",
+    lines = ["| register | address | name | lowest | highest | as delivered | step | access | source |",
              "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
     for each in facts.registers[drive]:
-        words = (each["code"], each["address"], each["name"], MODES[each["mode"]],
-                 each["step"] or each["kind"], each["lowest"], each["highest"], each["factory"], each["source"])
+        words = (each["code"], each["address"], each["name"], each["lowest"], each["highest"], each["factory"],
+                 each["step"] or each["kind"], MODES[each["mode"]], each["source"])
         lines.append("| " + " | ".join(cell(word) or "&nbsp;" for word in words) + " |")
     return "\n".join(lines)
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What each page does when it is there: the switch between light and dark, the search, and of Doxygen's pages the buttons that
-// copy code, links to headings, landmarks, tables that scroll. What scrolls can be reached by keyboard.
+// copy code, links to headings, landmarks, tables that scroll, filter and sort. What scrolls can be reached by keyboard.
 "use strict";
 
 const make = (name, attributes = {}, ...children) => {
@@ -113,11 +113,53 @@ const reachable = (element, name) => {
     element.setAttribute("aria-label", name);
 };
 
+const longTable = 20; // rows: from here on it is searched and not read
+
+/// A field above a long table that leaves the rows with all of the typed words.
+const prepareFilter = (table, frame, rows) => {
+    const field = make("input", {type: "search", autocomplete: "off", spellcheck: "false"}), count = make("span", {role: "status"});
+    const texts = rows.map((row) => row.textContent.toLowerCase());
+    const show = () => {
+        const words = field.value.toLowerCase().split(/\s+/);
+        rows.forEach((row, at) => { row.hidden = !words.every((each) => texts[at].includes(each)); });
+        count.textContent = `${rows.filter((row) => !row.hidden).length} of ${rows.length} rows`;
+    };
+    field.addEventListener("input", show);
+    frame.before(make("div", {class: "filter"}, make("label", {}, "Rows with ", field), count));
+    show();
+};
+
+/// Each heading of a long table sorts by its column, numbers as numbers; once more turns it round.
+const prepareSort = (head, rows) => {
+    const order = new Intl.Collator("en", {numeric: true}).compare;
+    const number = (text) => Number.parseFloat(text.replace(/[\s\u00a0]/g, ""));
+    const compare = (one, other) => number(one) - number(other) || order(one, other);
+    [...head.cells].forEach((cell, at) => {
+        const button = make("button", {type: "button"}, cell.textContent.trim());
+        cell.replaceChildren(button);
+        button.addEventListener("click", () => {
+            const sign = cell.getAttribute("aria-sort") === "ascending" ? -1 : 1;
+            for (const each of head.cells) {
+                each.removeAttribute("aria-sort");
+            }
+            cell.setAttribute("aria-sort", sign > 0 ? "ascending" : "descending");
+            const text = (row) => row.cells[at].textContent.trim();
+            const by = (one, other) => (text(one) === "") - (text(other) === "") || sign * compare(text(one), text(other));
+            rows[0].parentNode.append(...[...rows].sort(by));
+        });
+    });
+};
+
 const prepareTable = (table) => {
-    const frame = make("div", {class: "wide"});
+    const frame = make("div", {class: "wide"}), [head, ...rows] = table.rows;
     reachable(frame, "table");
     table.replaceWith(frame);
     frame.append(table);
+    if (rows.length >= longTable && table.matches(".markdownTable") && [head, ...rows].every((row) => row.cells.length === head.cells.length)) {
+        frame.classList.add("long");
+        prepareFilter(table, frame, rows);
+        prepareSort(head, rows);
+    }
 };
 
 const landmark = (selector, role, name) => {

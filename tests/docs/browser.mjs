@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Opens the built site from the disk in Chromium, as a phone and as a desktop, in light and in dark: nothing on a page may
-// complain, be wider than the screen or be illegible, no rule of axe may be broken, and the search has to find what is there.
+// complain, be wider than the screen or be illegible, no rule of axe may be broken, the search has to find what is there, and
+// tables filter and sort.
 //
 //     node browser.mjs SITE SCREENS
 import {strict as assert} from "node:assert";
@@ -134,6 +135,48 @@ async function lookAtResults(browser) {
     }
 }
 
+/// The registers of a drive: limits are seen at once, the first column stays, rows are found and sorted.
+async function useTable(browser, size, scheme) {
+    const context = await browser.newContext({viewport: sizes[size], colorScheme: scheme});
+    const page = await context.newPage();
+    page.setDefaultTimeout(limit);
+    await page.goto(`${address("drives_atv320")}#drives_atv320-registers`, {waitUntil: "load"});
+    const frame = page.locator(".wide.long").first(), where = `on a ${size} in ${scheme}`;
+    const cells = (at) => frame.locator(`tbody tr:not([hidden]) td:nth-child(${at})`).allInnerTexts();
+    await page.screenshot({path: path.join(screens, `registers-${size}-${scheme}.png`)});
+    const right = await frame.evaluate((element) => element.getBoundingClientRect().left + element.clientWidth);
+    const seen = await frame.locator("th").evaluateAll((heads, edge) => heads.filter((head) => head.getBoundingClientRect().right <= edge).map(
+        (head) => head.textContent), right);
+    const least = size === "desktop" ? ["register", "address", "name", "lowest", "highest"] : ["register", "address", "name"];
+    assert.deepEqual(seen.slice(0, least.length), least, where);
+    await frame.evaluate((element) => element.scrollTo(10_000, 2000));
+    const places = await frame.evaluate((element) => {
+        const box = element.getBoundingClientRect();
+        const row = [...element.querySelectorAll("tr")].find((each) => each.getBoundingClientRect().top > box.top + 60);
+        return {first: row.cells[0].getBoundingClientRect().left - box.left, head: element.querySelector("th").getBoundingClientRect().top - box.top};
+    });
+    assert.ok(Math.abs(places.first) < 3 && Math.abs(places.head) < 3, `${where}: ${JSON.stringify(places)}`);
+    await page.screenshot({path: path.join(screens, `registers-scrolled-${size}-${scheme}.png`)});
+    const filter = page.locator(".filter input").first(), count = page.locator(".filter [role=status]").first();
+    const whole = await count.innerText();
+    await filter.fill("motor current");
+    const left = await cells(3);
+    assert.ok(left.length > 0 && left.length < 200, `${where}: ${left.length} rows`);
+    assert.match(await count.innerText(), new RegExp(`^${left.length} of `));
+    await filter.fill("");
+    assert.equal(await count.innerText(), whole);
+    await frame.evaluate((element) => element.scrollTo(0, 0));
+    await frame.getByRole("button", {name: "address"}).click();
+    await frame.getByRole("button", {name: "address"}).click();
+    const addresses = (await cells(2)).map(Number);
+    assert.deepEqual(addresses, [...addresses].sort((one, other) => other - one), where);
+    assert.equal(await frame.locator("th").nth(1).getAttribute("aria-sort"), "descending");
+    await frame.getByRole("button", {name: "register"}).click();
+    const names = await cells(1);
+    assert.ok(names[0].startsWith("A") && names.at(-1) > "V", `${where}: ${names[0]} ${names.at(-1)}`);
+    await context.close();
+}
+
 /// The switch turns a page dark, and the next page keeps it.
 async function toggle(browser) {
     const context = await browser.newContext({viewport: sizes.desktop, colorScheme: "light"});
@@ -166,7 +209,8 @@ try {
     const phones = guides.filter((guide) => !shown.includes(guide)).map((name) => () => visit(browser, name, "dark", "phone", false));
     const searches = Object.entries(wanted).map(([words, expected]) => () => search(browser, words, expected));
     const pages = views.length + phones.length;
-    await allOf([...views, ...phones, ...searches, () => toggle(browser), () => lookAtResults(browser)]);
+    const each = (act) => ["desktop", "phone"].flatMap((size) => ["light", "dark"].map((scheme) => () => act(size, scheme)));
+    await allOf([...views, ...phones, ...searches, () => toggle(browser), () => lookAtResults(browser), ...each((size, scheme) => useTable(browser, size, scheme))]);
     console.log(`${pages} pages looked at, ${searches.length} searches, screens in ${screens}`);
 } finally {
     await browser.close();
