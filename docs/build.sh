@@ -21,6 +21,7 @@ for app in playground line; do
 done
 /usr/bin/python3 -B "$here/generate/reference.py" "$build/html" "$build/tags.xml"
 /usr/bin/python3 -B "$here/generate/search.py" "$build/html" "$build/tags.xml"
+/usr/bin/python3 -B "$here/generate/first.py" "$project" "$build/html"
 /usr/bin/python3 -B "$here/generate/links.py" "$build/html"
 if [ "$output" != "$build/html" ]; then
     mkdir -p "$output"

@@ -12,6 +12,7 @@ import re
 
 FENCE = re.compile(r"^( *)(```+)(.*)$")
 HEADING = re.compile(r"^(#{1,4}) +(.*?)\s*$")
+PICTURE = re.compile(r"!\[([^\]]*)\]\((?:[\w./]*/)?pictures/([\w.-]+)\)")
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)")
 SNIPPET = re.compile(r"^ *<!-- snippet: (\S+) (\S+) -->$")
 MADE = re.compile(r"^<!-- made: (.+?) -->$")
@@ -27,7 +28,7 @@ class BrokenLink(Exception):
 def identifier(path):
     """The name of a page on the site: docs/start/wiring.md is start_wiring."""
     if path == "README.md":
-        return "index"
+        return "readme"
     plain = re.sub(r"(^docs/|/?README\.md$|\.md$)", "", path)
     return re.sub(r"\W", "_", plain).lower() or "contents"
 
@@ -151,12 +152,12 @@ class Pages:
                 shown = re.sub(r"`([^`]*)`", r"<code>\1</code>", self.named(words, to[5:]))
                 return f'<a href="{html_place(to[5:])}">{shown}</a>'
             return f"[{words}]({to})"
-        return spelled(LINK.sub(swap, line))
+        return spelled(LINK.sub(swap, PICTURE.sub(r'<img src="pictures/\2" alt="\1"/>', line)))
 
     def staged(self, page):
         """The page for Doxygen."""
         text = self.texts[page]
-        has_contents = len(headings(text)) > NEEDS_CONTENTS and page != "README.md"
+        has_contents = len(headings(text)) > NEEDS_CONTENTS
         out, snippet, bold, made = [], None, Bold(page), None
         for line, is_code in lines_with_code(text):
             if made:
@@ -179,7 +180,7 @@ class Pages:
                 continue
             heading = HEADING.match(line)
             if heading and len(heading[1]) == 1:
-                out.append(f"# {plain(page, heading[2])} {{#{identifier(page) if page != 'README.md' else 'mainpage'}}}")
+                out.append(f"# {plain(page, heading[2])} {{#{identifier(page)}}}")
                 if has_contents:
                     out += ["", "[TOC]", ""]
             elif heading:

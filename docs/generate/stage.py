@@ -41,7 +41,7 @@ def contents(pages):
 def check_contents(pages, menu):
     """Each page is in the menu."""
     listed = {to.removeprefix("@ref ") for _, entries in menu for _, to in entries if to}
-    missing = [page for page in pages.texts if identifier(page) not in listed | {"index", identifier(CONTENTS)}]
+    missing = [page for page in pages.texts if identifier(page) not in listed | {identifier(CONTENTS)}]
     if missing:
         raise BrokenLink(f"{CONTENTS} does not list {', '.join(missing)}")
 
@@ -55,7 +55,7 @@ def write_layout(build, menu, apps):
     """Doxygen's own layout, with our menu in place of its own."""
     subprocess.run(["doxygen", "-l", "layout.xml"], cwd=build, check=True)
     text = (build / "layout.xml").read_text(encoding="utf-8")
-    tabs = tab("mainpage", "", "Overview")
+    tabs = tab("mainpage", "", "First page")
     for folder, title in apps:
         tabs += tab("user", f"{folder}/index.html", title)
     for section, entries in menu:
@@ -77,7 +77,7 @@ def write_settings(project, build, theme):
         "STRIP_FROM_INC_PATH": f"{build}/include", "EXAMPLE_PATH": f"{project} {build} {build}/diagrams", "GENERATE_TAGFILE": build / "tags.xml", "LAYOUT_FILE": build / "layout.xml",
         "HTML_HEADER": site / "header.html", "HTML_FOOTER": site / "footer.html", "HTML_EXTRA_STYLESHEET": " ".join(map(str, styles)),
         "HTML_EXTRA_FILES": " ".join(map(str, files)), "PROJECT_NUMBER": version(project),
-        "USE_MDFILE_AS_MAINPAGE": f"{build}/pages/README.md", "INCLUDE_PATH": f"{build}/include"}
+        "INCLUDE_PATH": f"{build}/include"}
     text = (project / "docs" / "Doxyfile").read_text(encoding="utf-8")
     text += "".join(f"{name} = {value}\n" for name, value in settings.items())
     (build / "Doxyfile").write_text(text, encoding="utf-8")

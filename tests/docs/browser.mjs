@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Opens the built site from the disk in Chromium, as a phone and as a desktop, in light and in dark: nothing on a page may
-// complain, be wider than the screen or be illegible, no rule of axe may be broken, the search has to find what is there, and
-// tables filter and sort.
+// complain, be wider than the screen or be illegible, no rule of axe may be broken, the search has to find what is there, tables
+// filter and sort, and the first page is light, moves nothing and runs the playground.
 //
 //     node browser.mjs SITE SCREENS
 import {strict as assert} from "node:assert";
@@ -17,8 +17,9 @@ const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", 
     "--disable-component-update", "--disable-sync"];
 const sizes = {phone: {width: 390, height: 844}, desktop: {width: 1280, height: 900}};
 // One of each kind of page; all of the guides are visited on the phone.
-const shown = ["index", "start_two_commands", "start_wiring", "drives_atv320", "concepts", "errors", "names", "figures",
+const shown = ["index", "readme", "start_two_commands", "start_wiring", "drives_atv320", "concepts", "errors", "names", "figures",
     "classrtuwire_1_1basic__client", "line/index", "playground/index"];
+const mostBytes = 250_000; // of the first page with all that it loads, before the playground
 const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const lanes = 4;
 const limit = 60_000; // of a busy machine; no result depends on it
@@ -177,6 +178,34 @@ async function useTable(browser, size, scheme) {
     await context.close();
 }
 
+/// What the first page loads before anything runs, that nothing on it moves, and that the playground runs in it: at once, or after a
+/// click where motion is unwanted.
+async function openFirst(browser, size, scheme, reducedMotion) {
+    const context = await browser.newContext({viewport: sizes[size], colorScheme: scheme, reducedMotion});
+    const page = await context.newPage();
+    page.setDefaultTimeout(limit);
+    const files = new Set();
+    page.on("request", (request) => files.add(request.url()));
+    await page.addInitScript(() => {
+        window.shifts = 0;
+        new PerformanceObserver((list) => { window.shifts += list.getEntries().reduce((sum, each) => sum + each.value, 0); }).observe({type: "layout-shift", buffered: true});
+    });
+    await page.goto(address("index"), {waitUntil: "load"});
+    const before = [...files].filter((file) => !file.includes("/playground/"));
+    const bytes = before.reduce((sum, file) => sum + fs.statSync(new URL(file)).size, 0);
+    assert.ok(before.length >= 4 && bytes < mostBytes, `the first page loads ${bytes} bytes: ${before.join(", ")}`);
+    if (reducedMotion === "reduce") {
+        assert.equal(await page.locator("iframe").count(), 0, "it runs where motion is unwanted");
+        await page.click("#run");
+    }
+    const frame = page.frameLocator("iframe");
+    await frame.locator("#p-motor:text-is('turns forward')").waitFor();
+    assert.equal(await page.evaluate(() => window.shifts), 0, "something moves on the first page");
+    await page.screenshot({path: path.join(screens, `first-${size}-${scheme}.png`), fullPage: true});
+    await context.close();
+    return bytes;
+}
+
 /// The switch turns a page dark, and the next page keeps it.
 async function toggle(browser) {
     const context = await browser.newContext({viewport: sizes.desktop, colorScheme: "light"});
@@ -210,8 +239,10 @@ try {
     const searches = Object.entries(wanted).map(([words, expected]) => () => search(browser, words, expected));
     const pages = views.length + phones.length;
     const each = (act) => ["desktop", "phone"].flatMap((size) => ["light", "dark"].map((scheme) => () => act(size, scheme)));
-    await allOf([...views, ...phones, ...searches, () => toggle(browser), () => lookAtResults(browser), ...each((size, scheme) => useTable(browser, size, scheme))]);
-    console.log(`${pages} pages looked at, ${searches.length} searches, screens in ${screens}`);
+    const firsts = [];
+    await allOf([...views, ...phones, ...searches, () => toggle(browser), () => lookAtResults(browser), ...each((size, scheme) => useTable(browser, size, scheme)),
+        ...each(async (size, scheme) => firsts.push(await openFirst(browser, size, scheme, scheme === "dark" ? "reduce" : "no-preference")))]);
+    console.log(`${pages} pages looked at, ${searches.length} searches, the first page loads ${firsts[0]} bytes, screens in ${screens}`);
 } finally {
     await browser.close();
 }

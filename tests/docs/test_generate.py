@@ -11,6 +11,7 @@ import unittest
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "docs" / "generate"))
 import diagrams  # noqa: E402
+import first  # noqa: E402
 import gallery  # noqa: E402
 import headers  # noqa: E402
 import inherited  # noqa: E402
@@ -139,6 +140,25 @@ class Search(Folder):
         self.assertEqual(search.main(self.place, self.place / "tags.xml"), 1)
 
 
+README = "# a\n\nIt is `a` & \nno more. It has\n"
+TEMPLATE = "<p>{version} {sentence} {contents}{unknown}</p>\n<!-- picture -->\n<img alt=\"{picture_words}\" {picture_size}>\n<!-- end of picture -->\n"
+
+
+class First(unittest.TestCase):
+    MENU = [("Start & go", [("Wiring", "@ref start_wiring")])]
+
+    def test_marks_are_replaced_and_others_stay(self):
+        out = first.page(TEMPLATE, self.MENU, README, "1.2.3", "", "")
+        self.assertIn("<p>1.2.3 It is a &amp; no more. <section><h3>Start &amp; go</h3>", out)
+        self.assertIn('<a href="start_wiring.html">Wiring</a>', out)
+        self.assertIn("{unknown}", out)
+        self.assertNotIn("<img", out)
+
+    def test_a_picture_has_its_place_before_it_comes(self):
+        out = first.page(TEMPLATE, self.MENU, README, "1.2.3", "", '<svg viewBox="0 0 700.4 300"><title id="a">A terminal</title>')
+        self.assertIn('<img alt="A terminal" width="700" height="300">', out)
+
+
 class Pages(Folder):
     def staged(self, text, **made):
         self.write("README.md", text)
@@ -154,6 +174,9 @@ class Pages(Folder):
 
     def test_a_link_in_code_stays(self):
         self.assertIn("[x](docs/none.md)", self.staged("# One\n\n```\n[x](docs/none.md)\n```\n"))
+
+    def test_a_picture_is_taken_from_the_site(self):
+        self.assertIn('<img src="pictures/tool.svg" alt="The tool"/>', self.staged("# One\n\n![The tool](docs/pictures/tool.svg)\n"))
 
     def test_bold_becomes_a_tag_whatever_it_touches(self):
         out = self.staged('# One\n\n**`--allow-run` lets it turn.** It **goes\non**, **"so"** **(?)**; `a ** b`\n')
