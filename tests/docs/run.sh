@@ -12,6 +12,7 @@ build=$project/build/docs
 
 (cd "$here" && /usr/bin/python3 -B -m unittest test_generate)
 /usr/bin/python3 -B "$project/docs/generate/snippets.py" "$project"
+/usr/bin/python3 -B "$here/page_links.py" "$project"
 sh "$project/docs/build.sh"
 [ "${1:-}" = browser ] || exit 0
 
