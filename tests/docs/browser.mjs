@@ -70,7 +70,7 @@ async function visit(browser, name, scheme, size, take) {
     const complaints = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
     page.on("pageerror", (error) => complaints.push(String(error)));
-    page.on("request", (request) => !/^(file|data):/.test(request.url()) && complaints.push(`asks for ${request.url()}`));
+    page.on("request", (request) => !/^(?:file|data|blob):/.test(request.url()) && complaints.push(`asks for ${request.url()}`));
     await page.goto(address(name), {waitUntil: "load"});
     const seen = await page.evaluate(measured);
     if (take) {
