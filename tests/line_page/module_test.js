@@ -8,8 +8,8 @@ const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
 const test = require("node:test");
 const { loadLine, formatNames } = require("../../docs/line/page/module.js");
-const { usualSettings } = require("../../docs/line/page/worker.js");
-const { whyNoRead } = require("./bridge.js");
+const { LineClock, usualSettings } = require("../../docs/line/page/worker.js");
+const { Unit, frameOf, whyNoRead } = require("./bridge.js");
 
 const bytes = fs.readFileSync(process.argv[2]);
 const character = 1000 * 11 / 19200;
@@ -46,6 +46,18 @@ class Bench {
     this.sent.push({ frame: Buffer.from(frame), at: this.now });
     this.engine.sent(this.now);
     this.put(frame, (all) => this.engine.simulated.receive(all, this.now));
+  }
+
+  /// A unit of the tests in place of the simulated ones: `answers` as of `Unit`.
+  meet(answers, words) {
+    const unit = new Unit(words);
+    this.send = (frame) => {
+      if (frame.length === 0) return;
+      const request = Buffer.from(frame);
+      this.sent.push({ frame: request, at: this.now });
+      this.engine.sent(this.now);
+      for (const [later, all] of answers(unit.response(request), request)) this.onWire.push({ at: this.now + later, all, take: (bytes) => this.engine.receive(bytes, this.now) });
+    };
   }
 
   put(all, take) { this.onWire.push({ at: this.now + all.length * character, all, take }); }
@@ -216,6 +228,106 @@ test("a pause of the page is told, and a slow page listens anew", async () => {
   bench.run(300);
   assert.equal(bench.events.find(({ event }) => event === "slowed").milliseconds, 60001);
   assert.ok(bench.take("values").length >= 2, "it goes on");
+});
+
+test("an answer that comes later than any time-out is no value of another register", async () => {
+  for (const late of [1300, 2500, 3700, 5500]) {
+    const bench = await ready();
+    bench.meet((response, request) => [[request[1] === 4 ? late : 5, response]]);
+    bench.engine.watch(2, "input:0\ninput:10\ninput:20\ninput:30:u32", 100);
+    bench.run(40000);
+    for (const [name, value] of Object.entries(values(bench))) assert.equal(value, name === "input:30" ? String(30 * 65536 + 31) : name.slice(6), `${name} after ${late} ms`);
+    assert.ok(bench.sent.length > 8);
+  }
+});
+
+test("an answer that was asked for before a stop is none to what is asked behind it, and what came frees the unit at once", async () => {
+  const bench = await ready();
+  bench.meet((response) => [[5, response]]);
+  bench.engine.watch(2, "input:0", 0);
+  bench.run(100);
+  bench.meet((response) => [[900, response]]);
+  bench.engine.watch(2, "input:0", 0);
+  bench.run(20);
+  bench.engine.stop();
+  bench.take("values");
+  bench.engine.watch(2, "input:10", 0);
+  bench.run(8000);
+  assert.deepEqual(values(bench), { "input:10": "10" });
+  bench.engine.watch(2, "input:0", 0);
+  bench.run(20);
+  bench.engine.stop();
+  bench.run(1500);
+  bench.take("values");
+  bench.engine.watch(2, "input:10", 0);
+  bench.run(1200);
+  assert.deepEqual(values(bench), { "input:10": "10" });
+});
+
+test("what came in place of an answer is told with its bytes, in a scan, too", async () => {
+  const bench = await ready();
+  bench.meet((response) => [[5, frameOf(9, ...response.subarray(1, -2))]]);
+  bench.engine.setTimeout(300);
+  bench.engine.scan(2, 3);
+  bench.run(3000);
+  const told = bench.take("failure");
+  assert.deepEqual(told.map(({ unit, bytes }) => [unit, bytes]), [2, 3].map((unit) => [unit, frameOf(9, 0x83, 2).toString("hex").toUpperCase().replace(/..(?=.)/g, "$& ")]));
+});
+
+test("whatever is asked of a drive without consent ends, and something else can be asked", async () => {
+  const bench = await ready();
+  bench.engine.identify(1);
+  bench.run(500);
+  for (const act of [() => bench.engine.watch(1, "ETA", 100), () => bench.engine.backUp(1, "now")]) {
+    bench.events = [];
+    act();
+    bench.run(50);
+    assert.deepEqual(bench.events.map(({ event, how }) => how ?? event), ["begin", "consent", "done"]);
+  }
+});
+
+test("a sleep of any length ends what was asked, and it goes on", async () => {
+  for (const minutes of [1, 20, 34, 36, 40, 60, 71, 72, 90, 200]) {
+    const bench = await ready();
+    let deaf = false;
+    bench.meet((response) => (deaf ? [] : [[5, response]]));
+    bench.engine.watch(2, "input:0", 1000);
+    bench.run(3000);
+    deaf = true;
+    bench.run(1100);
+    deaf = false;
+    bench.now += minutes * 60000;
+    bench.take("values");
+    bench.run(10000);
+    assert.ok(bench.take("values").length >= 3, `${minutes} minutes`);
+  }
+});
+
+test("a capture that is full is told once", async () => {
+  const bench = await ready();
+  bench.meet((response) => [[1, response]]);
+  bench.engine.watch(2, "input:0-59:u16", 1);
+  bench.run(200);
+  const noise = Buffer.from(Array.from({ length: 60000 }, (_, at) => at * 7 & 255));
+  for (let i = 0; i < 900 && bench.engine.capture().length < 16000000; ++i) {
+    bench.engine.receive(noise, bench.now);
+    bench.run(5);
+  }
+  bench.run(2000);
+  const size = bench.engine.capture().length;
+  assert.ok(size >= 16000000 && size < 17000000, `${size} bytes`);
+  assert.equal(bench.take("full").length, 1);
+});
+
+test("a clock goes on while the computer sleeps", () => {
+  let own = 100, calendar = 1e12;
+  const clock = new LineClock(() => own, () => calendar);
+  const pass = (by, ahead = by) => { own += by; calendar += ahead; return clock.now(); };
+  assert.equal(pass(50), 150);
+  assert.equal(pass(50, 3600050), 3600200, "an hour of sleep");
+  assert.equal(pass(50, -86400000), 3600250, "the calendar is set back");
+  assert.equal(pass(50), 3600300);
+  assert.equal(pass(50, 450), 3600350, "a correction is no sleep");
 });
 
 test("the settings of the drive are read whole", async () => {

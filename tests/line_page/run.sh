@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-# Builds the page that speaks to an adapter and tests it: the module in node, the page in Chromium, from a file, over
-# pseudo-terminals. Installs what it needs. By night longer, and its speed beside another client for Web Serial.
+# Builds the page that speaks to an adapter and tests it: the module in node, the page in Chromium, from a file, over pseudo-terminals
+# and on lines that are not as they should be. Installs what it needs. By night longer, and its speed beside another client for Web
+# Serial.
 #
 #   sh tests/line_page/run.sh [night]
 set -eu
@@ -17,6 +18,7 @@ fi
 
 sh docs/line/build.sh build/line/site
 node tests/line_page/module_test.js build/line/objects/line.wasm
+NODE_PATH="$tools/node_modules" node tests/line_page/strange_line_test.js build/line/site/index.html
 
 # The tool of another build where there is one: its own takes minutes.
 tool=build/gcc/tools/rtuwire/rtuwire

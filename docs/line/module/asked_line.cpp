@@ -21,6 +21,7 @@ using rtuwire::byte_view;
 constexpr microseconds listen_time = 1'000'000;
 constexpr microseconds longest_pass = 250'000;
 constexpr microseconds told_as_slowed = 1'500'000;
+constexpr microseconds longest_late = 5'000'000;    // behind a time-out, for an answer that was given up
 constexpr std::size_t most_stray = 3;               // bytes, as an adapter makes them when its port is opened
 constexpr std::size_t largest_capture = 16'000'000; // bytes; later frames are not kept
 
@@ -75,6 +76,7 @@ void asked_line::set(line_setting how, microseconds now)
     client_.advance(instant_of(now));
     listener_ = rtuwire::line_listener{timing_of(how), rtuwire::milliseconds(1'200)};
     leaving_.clear();
+    owed_.clear(); // what comes at the bit rate before is no frame now
     if (phase_ != phase::quiet) {
         listen();
     }
@@ -85,7 +87,9 @@ rtuwire::client_options asked_line::options() noexcept { return {.retries = 0}; 
 void asked_line::receive(byte_view bytes, microseconds now)
 {
     now_ = now;
-    received_ += bytes.size();
+    std::size_t const room = rtuwire::max_adu_size - std::min(received_.size(), rtuwire::max_adu_size);
+    byte_view const kept = bytes.first(std::min(bytes.size(), room));
+    received_.insert(received_.end(), kept.begin(), kept.end());
     heard_bytes_ += bytes.size();
     client_.receive(bytes, instant_of(now));
     listener_.receive(bytes, instant_of(now), [this](auto const& heard) { take(heard); });
@@ -94,7 +98,6 @@ void asked_line::receive(byte_view bytes, microseconds now)
 void asked_line::receive_error(microseconds now)
 {
     now_ = now;
-    ++received_;
     ++heard_bytes_;
     client_.receive_error(instant_of(now));
     listener_.receive_error(instant_of(now), [this](auto const& heard) { take(heard); });
@@ -145,6 +148,7 @@ byte_view asked_line::pass(microseconds now)
         return {};
     }
     leaving_.assign(frame.begin(), frame.end());
+    is_sent_ = true;
     left_at_ = now;
     return leaving_;
 }
@@ -180,7 +184,6 @@ void asked_line::listen()
     stop("listens again");
     listens_until_ = now_ + listen_time;
     heard_bytes_ = heard_frames_ = 0;
-    has_foreign_frame_ = false;
     change_phase(phase::listening);
 }
 
@@ -233,6 +236,15 @@ void asked_line::take(rtuwire::heard_frame const& heard)
         frame.is_own = is_own;
         byte_view const block = blocks_.packet(frame);
         capture_.insert(capture_.end(), block.begin(), block.end());
+    } else if (not heard.is_unanswered and not std::exchange(is_capture_full_, true)) {
+        tell("full", [](json_text&) {});
+    }
+    if (is_good and not is_request) { // the one that was given up, where it is of its form
+        auto const part = [&](std::size_t at) { return std::to_integer<std::uint8_t>(heard.frame.bytes[at]); };
+        auto const late = std::ranges::find(owed_, response_form{part(0), part(1), part(2)}, &owed_response::form);
+        if (late != owed_.end()) {
+            owed_.erase(late);
+        }
     }
     heard_frames_ += is_good and not is_own ? 1U : 0U;
     if (is_request and is_good and not is_own) {
@@ -256,16 +268,31 @@ void asked_line::run(std::string_view name, steps what)
     }
     tell("begin", [&](json_text& out) { out.put("job", job_name_); });
     job_ = std::move(what);
+    is_told_ended_ = false;
     job_.begin();
+    note_end();
+}
+
+void asked_line::note_end()
+{
+    if (job_.is_over() and not std::exchange(is_told_ended_, true)) {
+        job_ = {};
+        tell("end", [&](json_text& out) {
+            out.put("job", job_name_);
+            out.put("how", "done");
+        });
+    }
 }
 
 void asked_line::stop(std::string_view why)
 {
     if (is_busy()) {
+        note_owed();
         client_.cancel(instant_of(now_));
         read_.emplace<std::monostate>();
         waiting_ = {};
         job_ = {};
+        is_told_ended_ = true;
         tell("end", [&](json_text& out) {
             out.put("job", job_name_);
             out.put("how", why);
@@ -273,14 +300,34 @@ void asked_line::stop(std::string_view why)
     }
 }
 
-void asked_line::begin(any_read read, std::uint8_t unit, std::coroutine_handle<> who)
+/// The answer to the request under way may come when nobody waits for it.
+void asked_line::note_owed()
 {
+    if (std::exchange(is_sent_, false) and not std::holds_alternative<std::monostate>(read_) and form_.size != 0) {
+        owed_.push_back({form_, now_ + longest_late});
+    }
+}
+
+void asked_line::begin(any_read read, response_form form, std::coroutine_handle<> who)
+{
+    std::uint8_t const unit = form.unit;
     read_ = std::move(read);
-    unit_ = unit;
+    form_ = form;
     waiting_ = who;
     wakes_at_ = 0;
-    received_ = 0;
-    is_answer_ready_ = false;
+    received_.clear();
+    is_answer_ready_ = is_sent_ = false;
+    std::erase_if(owed_, [&](owed_response const& each) { return each.until <= now_; });
+    for (owed_response const& each : owed_) {
+        auto const whom = rtuwire::unit_id::checked(unit);
+        if (whom and each.form == form) { // which nobody could tell from the answer to this request
+            client_.hold(*whom, instant_of(each.until));
+            tell("held", [&](json_text& out) {
+                out.put("unit", unit);
+                out.put("milliseconds", (each.until - now_) / 1000);
+            });
+        }
+    }
     if (std::holds_alternative<std::monostate>(read_) or not may_poll(unit)) {
         answer_ = {.why = rtuwire::errc::invalid_function};
         read_.emplace<std::monostate>();
@@ -316,11 +363,23 @@ void asked_line::visit()
 
 void asked_line::settle(rtuwire::result<rtuwire::response> const& outcome)
 {
-    answer_ = {.why = outcome.error(), .is_heard = received_ > 0};
+    answer_ = {.why = outcome.error()};
+    bool const has_echo = client_.has_seen_echo() and received_.size() >= last_sent_.size();
+    byte_view const came = byte_view{received_}.subspan(has_echo ? last_sent_.size() : 0);
+    auto const part = [&](std::size_t at) { return std::to_integer<std::uint8_t>(came[at]); };
+    // What begins as the response does is the response, with bytes lost, where nobody else's is due.
+    bool const has_begun = came.size() > 1 and part(0) == form_.unit and (part(1) & 0x7FU) == form_.function and
+                           std::ranges::none_of(owed_, [&](auto const& each) { return each.form.unit == form_.unit; });
+    if (not answer_.is_there() and not has_begun and answer_.why != rtuwire::errc::crc_mismatch and
+        answer_.why != rtuwire::errc::line_echo) {
+        note_owed();
+    }
     if (outcome) {
         byte_view const pdu = outcome->pdu();
         answer_.pdu.assign(pdu.begin(), pdu.end());
-    } else if (auto const refused = client_.refused(); refused and answer_.why != rtuwire::errc::timed_out) {
+    } else if (answer_.why == rtuwire::errc::timed_out) { // of another unit, or of none
+        answer_.bytes = tool::hex_of(came);
+    } else if (auto const refused = client_.refused()) {
         answer_.bytes = tool::hex_of(refused->bytes);
         answer_.cause = answer_.why == rtuwire::errc::wrong_length
                             ? std::string{}
@@ -338,13 +397,7 @@ void asked_line::resume()
     wakes_at_ = 0;
     if (auto const who = std::exchange(waiting_, {})) {
         who.resume();
-        if (job_.is_over()) {
-            job_ = {};
-            tell("end", [&](json_text& out) {
-                out.put("job", job_name_);
-                out.put("how", "done");
-            });
-        }
+        note_end();
     }
 }
 
@@ -361,7 +414,8 @@ asked_line::waiting_for_answer asked_line::ask(std::uint8_t unit, std::uint8_t f
         default: break;
         }
     }
-    return {*this, std::move(read), unit};
+    std::size_t const size = function <= 2 ? (std::size_t{count} + 7) / 8 : std::size_t{2} * count;
+    return {*this, std::move(read), {unit, function, static_cast<std::uint8_t>(size)}};
 }
 
 asked_line::waiting_for_answer asked_line::ask_identity(std::uint8_t unit, std::uint8_t object)
@@ -370,7 +424,7 @@ asked_line::waiting_for_answer asked_line::ask_identity(std::uint8_t unit, std::
     if (auto const whom = rtuwire::unit_id::checked(unit)) {
         read.emplace<5>(*whom, rtuwire::read_device_identification{rtuwire::identification_access::basic, object});
     }
-    return {*this, std::move(read), unit};
+    return {*this, std::move(read), {unit, 43, 0}};
 }
 
 void asked_line::tell_failure(std::uint8_t unit, std::string_view what, answer const& failed)
@@ -383,6 +437,21 @@ void asked_line::tell_failure(std::uint8_t unit, std::string_view what, answer c
         out.put("bytes", failed.bytes);
         out.put("cause", failed.cause);
     });
+}
+
+json_text asked_line::begin_event(std::string_view event) const
+{
+    json_text out;
+    out.open_object();
+    out.put("event", event);
+    out.put("time", now_);
+    return out;
+}
+
+void asked_line::end_event(json_text& out)
+{
+    out.close_object();
+    events_.append(events_.empty() ? "" : ",").append(out.text());
 }
 
 std::string asked_line::take_events()

@@ -51,11 +51,19 @@ struct answer {
     rtuwire::errc why{rtuwire::errc::none};
     std::vector<std::uint16_t> words{}; ///< registers; of coils and inputs 0 or 1 each
     std::vector<std::byte> pdu{};
-    std::string bytes{};  ///< what came in its place, in hexadecimal
-    std::string cause{};  ///< what these bytes tell of it
-    bool is_heard{false}; ///< anything at all came
+    std::string bytes{}; ///< what came in its place, in hexadecimal
+    std::string cause{}; ///< what these bytes tell of it
 
     [[nodiscard]] bool is_there() const noexcept { return why == rtuwire::errc::none or rtuwire::is_exception(why); }
+};
+
+/// What tells a response from others, as RTU has no numbers.
+struct response_form {
+    std::uint8_t unit{0};
+    std::uint8_t function{0};
+    std::uint8_t size{0}; ///< bytes of values; 0 of an identification
+
+    bool operator==(response_form const&) const = default;
 };
 
 /// Why nothing is sent.
@@ -108,10 +116,10 @@ public:
     struct waiting_for_answer {
         asked_line& line;
         any_read read;
-        std::uint8_t unit;
+        response_form form;
 
         static bool await_ready() noexcept { return false; }
-        void await_suspend(std::coroutine_handle<> who) { line.begin(std::move(read), unit, who); }
+        void await_suspend(std::coroutine_handle<> who) { line.begin(std::move(read), form, who); }
         answer await_resume() { return std::move(line.answer_); }
     };
     /// 1 to 4, and which; `invalid_function` is the answer of any other.
@@ -137,13 +145,9 @@ public:
     // What there is to tell.
     template <typename Fill> void tell(std::string_view event, Fill const& fill)
     {
-        json_text out;
-        out.open_object();
-        out.put("event", event);
-        out.put("time", now_);
+        json_text out = begin_event(event);
         fill(out);
-        out.close_object();
-        events_ += (events_.empty() ? "" : ",") + out.text();
+        end_event(out);
     }
     void tell_failure(std::uint8_t unit, std::string_view what, answer const& failed);
     [[nodiscard]] std::string take_events();
@@ -159,14 +163,18 @@ public:
 private:
     using client = rtuwire::host_client;
 
+    [[nodiscard]] json_text begin_event(std::string_view event) const;
+    void end_event(json_text& out);
     static rtuwire::client_options options() noexcept;
-    void begin(any_read read, std::uint8_t unit, std::coroutine_handle<> who);
+    void begin(any_read read, response_form form, std::coroutine_handle<> who);
+    void note_owed();
     void keep_listening();
     void take(rtuwire::heard_frame const& heard);
     void note_others();
     void visit();
     void settle(rtuwire::result<rtuwire::response> const& outcome);
     void resume();
+    void note_end();
     [[nodiscard]] bool may_leave(rtuwire::byte_view frame) const noexcept;
     void change_phase(line_page::phase to);
 
@@ -186,17 +194,24 @@ private:
     line_page::phase phase_{line_page::phase::listening};
     std::size_t heard_bytes_{0}; ///< while it listens, or has heard others
     std::size_t heard_frames_{0};
-    bool has_foreign_frame_{false};
+    bool is_capture_full_{false};
     bool is_answer_ready_{false};
 
     steps job_{};
     std::string job_name_{};
+    bool is_told_ended_{true};
     std::coroutine_handle<> waiting_{};
     any_read read_{};
     answer answer_{};
-    std::uint8_t unit_{0};
+    response_form form_{};
+    bool is_sent_{false};
+    struct owed_response {
+        response_form form;
+        microseconds until;
+    };
+    std::vector<owed_response> owed_{}; ///< may still come
     rtuwire::duration timeout_{rtuwire::milliseconds(1'000)};
-    std::size_t received_{0}; ///< bytes since the request began
+    std::vector<std::byte> received_{}; ///< since the request began
     std::vector<std::byte> leaving_{};
     std::vector<std::byte> last_sent_{};
     std::array<bool, 256> is_drive_{};

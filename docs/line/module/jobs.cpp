@@ -451,7 +451,7 @@ steps scan(asked_line& line, identities& all, std::uint8_t first, std::uint8_t l
             identity& who = all[unit];
             co_await find_out(line, address, who);
             tell_unit(line, address, who);
-        } else if (came.why != errc::timed_out) {
+        } else if (came.why != errc::timed_out or not came.bytes.empty()) {
             line.tell_failure(address, "scan", came);
         }
         if (came.why == errc::line_echo) {

@@ -15,8 +15,15 @@ const whenAskedNoMore = {
 
 /// Where the library's remedy speaks to a program.
 const remedies = {
+  0x97: "Check power, address, bit rate, format and the wires A and B. This page waits a second.",
   0x95: "The adapter hears itself. From here on the echo is taken out: ask again.",
 };
+const whenNobodyAnswers = "Look at the unit's power and address, exchange A and B, find rate and format, or scan more addresses. An adapter whose direction is switched by RTS needs a driver that does it.";
+/// Bytes came, and none was a response to the request.
+function whyNotTaken(unit, bytes) {
+  const first = parseInt(bytes, 16);
+  return first === unit ? "It begins as its response does, and is late or not whole" : `These bytes begin with address ${first}, as if another unit had answered`;
+}
 const phaseTexts = {
   listening: "listening", quiet: "nobody else talks: ready", others: "others talk: only listening", noise: "bytes that are no frames: only listening",
 };
@@ -175,7 +182,7 @@ class LinePage {
 
   show() {
     const { isOpen, phase, job } = this.state, isReady = isOpen && phase === "quiet" && !job;
-    for (const id of ["connect", "kind"]) byId(id).disabled = isOpen;
+    for (const id of ["connect", "kind"]) byId(id).disabled = isOpen || this.isOpening;
     byId("disconnect").disabled = byId("listen").disabled = !isOpen;
     byId("find").disabled = !isOpen || Boolean(job) || phase === "listening" || byId("kind").value === "simulated";
     for (const id of ["scan", "identify", "read", "watch"]) byId(id).disabled = !isReady;
@@ -209,6 +216,8 @@ class LinePage {
 
   async connect() {
     const kind = byId("kind").value;
+    this.isOpening = true;
+    this.show();
     try {
       if (kind === "serial") this.line.port = await navigator.serial.requestPort();
       await this.open(kind);
@@ -218,6 +227,9 @@ class LinePage {
       const text = words[problem.name] ?? `The port does not open: ${problem.message}. Does another program use it? On Linux: is your user in the group dialout?`;
       setText("line-note", text);
       this.tell(text);
+    } finally {
+      this.isOpening = false;
+      this.show();
     }
   }
 
@@ -366,9 +378,10 @@ class LinePage {
     setText("line-note", `Tries ${baud} ${format}.`);
   }
 
-  noteFound({ found, wasStopped, isHeard }) {
+  noteFound({ found, wasStopped, isHeard, refused }) {
     this.state.job = "";
     const nobody = isHeard ? "No whole frame at any usual setting. Is it Modbus RTU?" : "Nobody answers at any usual setting, at addresses 1 to 10. Exchange A and B, look at the power, and scan the other addresses.";
+    if (refused.length) this.tell(`The adapter does not open at ${refused.join(", ")}: these were left out.`);
     const text = found ? `Found: ${found.baud} ${found.format}${found.format === "8N2" ? " (8N2 does for 8N1 as well)" : ""}.` : wasStopped ? "The search was stopped." : nobody;
     setText("line-note", text);
     this.tell(text);
@@ -386,13 +399,18 @@ class LinePage {
     if (phase !== "listening") this.tell(texts[phase]);
   }
 
-  on_begin({ job }) { if (this.state.job !== "find") this.state.job = job; }
+  on_begin({ job }) {
+    byId("consent").hidden = true;
+    if (this.state.job !== "find") this.state.job = job;
+  }
 
   on_end({ job, how }) {
     if (this.state.job !== "find") this.state.job = "";
     byId("progress").value = 0;
     if (how !== "done") this.tell(`${job}: ${how}.`);
-    if (job === "scan" && how === "done" && this.state.job !== "find") this.tell(`Scanned: ${this.units.size} ${this.units.size === 1 ? "unit is" : "units are"} known.`);
+    if (job === "scan" && how === "done" && this.state.job !== "find") {
+      this.tell(this.units.size ? `Scanned: ${this.units.size} ${this.units.size === 1 ? "unit is" : "units are"} known.` : "Scanned: nobody answers. " + whenNobodyAnswers);
+    }
     if (job === "watch" && how !== "done") this.tellNotAsked();
   }
 
@@ -434,8 +452,14 @@ class LinePage {
   }
 
   on_slowed({ milliseconds }) {
-    this.tell(`The browser held this page up for ${(milliseconds / 1000).toFixed(1)} s: nothing was asked meanwhile.`);
+    this.tell(`The browser held this page up for ${(milliseconds / 1000).toFixed(1)} s, or the computer slept: nothing was asked meanwhile.`);
   }
+
+  on_held({ unit, milliseconds }) {
+    setText("values-note", `Unit ${unit} may still answer a request before: so that its answer is not taken for another, it is asked in ${(milliseconds / 1000).toFixed(1)} s.`);
+  }
+
+  on_full() { this.tell("The capture is full, at 16 MB: save it. Later frames are shown, and are not in it; connect again for a new one."); }
 
   on_failure({ unit, what, error, name, bytes, cause }) {
     const key = [unit, what, error, bytes].join("|"), known = this.failures.get(key);
@@ -443,21 +467,27 @@ class LinePage {
     if (this.failures.size === 0) list.replaceChildren();
     const count = (known?.count ?? 0) + 1;
     const [meaning, remedy] = rows.errors[error] ?? ["", ""];
+    const why = cause ? cause.replace(": --noise", "; the tool's --noise") : error === 0x97 && bytes ? whyNotTaken(unit, bytes) : "";
     const item = make("li", {}, make("b", {}, `Unit ${unit}, ${what}: ${name}`), count > 1 ? ` (${count} times)` : "", make("br"),
-      ...(bytes ? [make("span", { class: "mono" }, `bytes: ${bytes}`), make("br")] : []), cause ? `${cause}. ` : `${meaning} `, remedies[error] ?? remedy);
+      ...(bytes ? [make("span", { class: "mono" }, `bytes: ${bytes}`), make("br")] : []), why ? `${why}. ` : `${meaning} `, remedies[error] ?? remedy);
     known?.item.remove();
+    this.failures.delete(key); // the latest stand last
     this.failures.set(key, { count, item });
     list.prepend(item);
-    while (list.children.length > 60) list.lastChild.remove();
+    for (const [oldest, { item: last }] of this.failures) {
+      if (this.failures.size <= 60) break;
+      last.remove();
+      this.failures.delete(oldest);
+    }
   }
 
-  /// Laying the table out takes longer than the line does: four times a second is enough.
+  /// Laying the table out takes longer than the line does: twice a second is enough.
   noteFrames(frames) {
     this.freshFrames = [...this.freshFrames ?? [], ...frames].slice(-150);
     this.framesTimer ??= setTimeout(() => {
       this.framesTimer = undefined;
       this.showFrames(this.freshFrames.splice(0));
-    }, 250);
+    }, 500);
   }
 
   showFrames(frames) {
