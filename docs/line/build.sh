@@ -27,5 +27,6 @@ cat "$page/module.js" "$page/ports.js" "$page/worker.js" | /usr/bin/python3 -c '
 import json, sys
 print("const workerText =", json.dumps(sys.stdin.read()) + ";")' >>"$objects/module.txt"
 cat "$shared/style.css" "$page/style.css" >"$objects/style.css"
-cat "$shared/elements.js" "$shared/module.js" "$shared/fields.js" "$page/module.js" "$page/ports.js" "$page/main.js" >"$objects/scripts.txt"
+cat "$shared/elements.js" "$shared/module.js" "$shared/fields.js" "$page/module.js" "$page/ports.js" "$page/register_file.js" \
+    "$page/main.js" >"$objects/scripts.txt"
 join_page "$page/page.html"

@@ -6,10 +6,13 @@
 const assert = require("node:assert/strict");
 const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
+const os = require("node:os");
+const path = require("node:path");
 const test = require("node:test");
 const { loadLine, formatNames } = require("../../docs/line/page/module.js");
 const { LineClock, usualSettings } = require("../../docs/line/page/worker.js");
 const { Unit, frameOf, whyNoRead } = require("./bridge.js");
+const { TomlReader, placeWord, readRegisterFile } = require("../../docs/line/page/register_file.js");
 
 const bytes = fs.readFileSync(process.argv[2]);
 const character = 1000 * 11 / 19200;
@@ -341,6 +344,54 @@ test("the settings of the drive are read whole", async () => {
   assert.deepEqual([format, drive, Number(rows)], ["rtuwire backup 1", "atv320", parameters.length]);
   assert.equal(parameters.find(({ register }) => register === "TFR").unit, "Hz");
   assert.ok(bench.sent.every(({ frame }) => whyNoRead(frame) === ""));
+});
+
+test("each kind of value is what its bits mean, and no request is longer than the file says", async () => {
+  const bench = await ready();
+  const words = [0x8000, 0, 0, 1, 0x4009, 0x21FB, 0x5444, 0x2D18, 0x9999, 0x9999, 0x6962, 0x7300, 0x00FA];
+  bench.meet((response) => [[5, response]], words);
+  bench.engine.watch(2, ["a\tinput:0:u64\t0.1\tWh\t\t", "b\tinput:0:i64\t\t\t\t", "c\tinput:4:f64\t\t\t\t", "input:8:bcd32", "input:8:bcd16", "input:12:bcd16", "input:10:text3", "input:10:text4:badc",
+    "d\tinput:0:f32\t0.1\tV\t\t", "e\tinput:0:u64\t\t\t\t-9223372036854775807", "input:0:u64:dcba"].join("\n"), 0, 6);
+  bench.run(2000);
+  const found = bench.take("values").flatMap((each) => each.values);
+  const of = (name) => found.filter((each) => each.name === name).map(({ text, number, wide, step }) => wide ? [wide, step] : [text, number]);
+  assert.deepEqual(of("a"), [["u64:0x8000000000000001", "0.1"]]);
+  assert.deepEqual(of("b"), [["i64:0x8000000000000001", "1"]]);
+  assert.deepEqual(of("c"), [["f64:0x400921FB54442D18", "1"]]);
+  assert.deepEqual(of("input:8"), [["99999999", 99999999], ["9999", 9999]]);
+  assert.deepEqual(of("input:12"), [["0x00FA, which is no BCD", undefined]]);
+  assert.deepEqual(of("input:10"), [["ibs", undefined], ["bi", undefined]]);
+  assert.deepEqual(of("d"), [["f32:0x0000000080000000", "0.1"]]);
+  assert.match(of("e")[0][0], /no value: 0x8000000000000001/);
+  assert.deepEqual(of("input:0"), [["u64:0x0100000000000080", "1"]]);
+  for (const { frame } of bench.sent.filter(({ frame }) => frame[1] === 4)) assert.ok(frame.readUInt16BE(4) <= 6);
+});
+
+test("register files are read as Python reads them", () => {
+  const folder = path.join(__dirname, "../../tools/devices");
+  const files = fs.readdirSync(folder).filter((name) => name.endsWith(".toml")).map((name) => path.join(folder, name));
+  const strange = `${os.tmpdir()}/line_page_${process.pid}.toml`;
+  fs.writeFileSync(strange, "# c\r\n[device] # d\nmax_registers = 0b101\n[[register]]\nname = 'a_1' # 'x'\naddress = 1_0_0\nscale = 2.50\nunit = \"k\\u0057h\"\nchoices = { \"on\" = +1, off = 0x0 }\n" +
+    "invalid = [\n 0o17, # e\n -1,]\nmin = -1.5e2\nmoves = true\n\n[[ register ]]\nname=\"b\"\naddress=0xFF_FF\n");
+  files.push(strange);
+  const script = "import json,sys,tomllib;print(json.dumps([tomllib.load(open(each,'rb')) for each in sys.argv[1:]]))";
+  const theirs = JSON.parse(execFileSync("/usr/bin/python3", ["-c", script, ...files], { encoding: "utf8" }));
+  files.forEach((file, at) => {
+    const ours = JSON.parse(JSON.stringify(new TomlReader(fs.readFileSync(file, "utf8")).document(), (_, value) => (typeof value === "bigint" ? Number(value) : value)));
+    assert.deepEqual(ours, theirs[at], file);
+    const { points, leftOut, most } = readRegisterFile(file, fs.readFileSync(file, "utf8"));
+    assert.deepEqual(leftOut, []);
+    assert.equal(points.length, theirs[at].register.length);
+    assert.equal(most, theirs[at].device?.max_registers ?? 0);
+  });
+  fs.rmSync(strange);
+});
+
+test("a place is taken as it is typed to the tool", () => {
+  for (const [typed, place] of [["list:40001", "holding:0"], ["list:30101:float32", "input:100:f32"], ["list:400001", "holding:0"], ["list:10001", "discrete:0"], ["list:1", "coil:0"],
+    ["i:7:uint64:CDAB", "input:7:u64:cdab"], ["40:INT16", "40:i16"], ["RFR", "RFR"], ["list:40000", "list:40000"], ["list:x", "list:x"], ["coil:0-7", "coil:0-7"]]) {
+    assert.equal(placeWord(typed), place);
+  }
 });
 
 test("whatever is called in whatever order, only reads leave", async () => {

@@ -319,7 +319,7 @@ async function clickAnywhere(browser, bridge, units, count) {
     done += await page.evaluate(({ burst, typed }) => {
       let clicks = 0;
       for (const [which, what] of burst) {
-        const all = [...document.querySelectorAll("button:not([id=csv]):not([id=capture]), select:not([id=kind]), input, textarea")].filter((each) => !each.disabled && each.offsetParent);
+        const all = [...document.querySelectorAll("button:not([id=csv]):not([id=capture]), select:not([id=kind]), input:not([type=file]), textarea")].filter((each) => !each.disabled && each.offsetParent);
         const one = all[which % all.length];
         ++clicks;
         // What ends what it does is drawn less often: else nothing would begin.
@@ -405,6 +405,44 @@ async function checkAxe(page, name) {
   console.log(`axe, ${name}: ${found.passes} rules passed, 0 violations`);
 }
 
+/// Everything that a person may see at once, in light and dark, on a wide screen and on a phone.
+async function look(browser, bridge) {
+  for (const colorScheme of ["light", "dark"]) {
+    for (const width of [1280, 390]) {
+      const page = await open(browser, bridge, { viewport: { width, height: 900 }, colorScheme, names: [] });
+      await page.selectOption("#kind", "simulated");
+      await page.click("#connect");
+      await isPhase(page, "ready");
+      await page.fill("#last", "3");
+      await page.click("#scan");
+      await isTold(page, "Scanned: 2 units are known");
+      await page.fill("#points", "ETA, RFR");
+      await page.click("#read");
+      await page.waitForSelector("#consent:not([hidden])");
+      await page.fill("#unit", "2");
+      await page.setInputFiles("#file", { name: "a-meter-with-a-long-name.toml", mimeType: "text/plain",
+        buffer: Buffer.from("[[register]]\nname = \"energy\"\nspace = \"input\"\naddress = 72\ntype = \"f32\"\nunit = \"kWh\"\n[[register]]\nname = \"flag\"\naddress = 1\nbits = \"3\"\n") });
+      await page.waitForFunction(() => document.getElementById("file-note").textContent.includes("left out: flag (bits)"));
+      await page.fill("#points", "energy, input:0:f32, input:500");
+      await page.selectOption("#period", "200");
+      await page.click("#watch");
+      await hasValue(page, "energy (unit 2)");
+      await failed(page, "illegal data address");
+      await page.fill("#bytes", "02 04 04 43 66 33 33 DF A1");
+      await page.click("#frames button");
+      await wait(1500);
+      await page.click("#stop-watch");
+      const isWide = await page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
+      assert.equal(isWide, false, `the page is wider than ${width} px`);
+      await page.evaluate(() => scrollTo(0, 0));
+      await page.screenshot({ path: path.join(shots, `line-${colorScheme}-${width}.png`), fullPage: true });
+      await checkAxe(page, `${colorScheme}, ${width} px`);
+      assert.deepEqual(page.problems, []);
+      await page.context().close();
+    }
+  }
+}
+
 /// As it stands in the file: the page's own rules forbid every request, and the simulated units answer.
 async function openAlone(browser) {
   const page = await (await browser.newContext({ viewport: { width: 390, height: 844 }, colorScheme: "dark", hasTouch: true })).newPage();
@@ -481,6 +519,7 @@ async function main() {
     await step("refused", () => refuse(browser, bridge.place));
     await step("relayed", () => relay(browser, bridge.place, units));
     await step("alone", () => openAlone(browser));
+    await step("looks", () => look(browser, bridge.place));
     if (night) await step("speed", () => beFast(browser, bridge.place, units));
     await step("clicks", () => clickAnywhere(browser, bridge.place, units, night ? 10000 : 500));
   } finally {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // The page on lines that are not as they should be: a port that is taken, a tab that is loaded again, units that answer late, damaged,
-// in part or in another's name, an adapter that loses bytes and refuses settings.
+// in part or in another's name, an adapter that loses bytes and refuses settings; and with register files that somebody wrote.
 //
 //   node strange_line_test.js PAGE
 "use strict";
@@ -175,13 +175,55 @@ async function search(browser, bridge, line) {
   await page.context().close();
 }
 
+async function openFile(page, name, content) {
+  await page.setInputFiles("#file", { name, mimeType: "text/plain", buffer: Buffer.from(content) });
+  await hasText(page, "file-note", name);
+  return text(page, "file-note");
+}
+
+/// A person's own register file: each kind of value, what is left out by name, what is wrong by its line; and as CSV no formula.
+async function readOwnFile(browser, bridge, line) {
+  const page = await open(browser, bridge), unit = line.device;
+  unit.words = [0xFFFF, 0xFFFF, 0xFFFF, 0xFFFE, // 0: u64, i64
+    0x3FF8, 0, 0, 0, // 4: 1.5
+    0x1234, 0x5678, 0x12A4, 0, // 8: BCD
+    0x3D31, 0x2B32, 0x2000, 0, // 12: "=1+2 "
+    0xCCCD, 0x41BC, 0x8002, 0xFFF6]; // 16: 23.6 with the low word first, no value, -10
+  const register = (name, address, rest = "") => `[[register]]\nname = "${name}"\nspace = 'input'\naddress = ${address}\n${rest}\n`;
+  const file = "# mine\n[device]\nmax_registers = 4\n" + register("all", "0x0", 'type = "u64"\nscale = 0.01\nunit = "kWh"') + register("back", 0, 'type = "int64"') +
+    register("half", 4, 'type = "f64"\nunit = "Ω"') + register("packed", 8, 'type = "bcd32"') + register("no_packed", 10, 'type = "bcd16"') + register("label", 12, 'type = "text5"') +
+    register("warm", 16, 'type = "f32"\norder = "cdab"\nscale = 0.1\nunit = "°C"') + register("none", 18, "type = \"i16\"\ninvalid = [ # none\n  0x8002,\n]") +
+    register("mode", 19, 'type = "i16"\nchoices = { off = -10, on = 1 }') + register("flag", 20, 'bits = "3"') + register("moved", 21, "offset = -40.5") +
+    register("wide", 24, 'type = "u64"\norder = "ghefcdab"');
+  assert.match(await openFile(page, "mine.toml", file), /mine\.toml: 9 names\. This page does not read, and left out: flag \(bits\), moved \(offset\), wide \(order ghefcdab\)\./);
+  await connect(page, "line");
+  await read(page, 5, "*");
+  await hasValue(page, "mode (unit 5)");
+  await isIdle(page);
+  const shown = Object.fromEntries(await page.$$eval("#values tbody tr", (all) => all.map(({ cells }) => [cells[1].textContent, cells[2].textContent])));
+  assert.deepEqual(shown, { "all (unit 5)": "184467440737095516.14 kWh", "back (unit 5)": "-2", "half (unit 5)": "1.5 Ω", "packed (unit 5)": "12345678", "no_packed (unit 5)": "0x12A4, which is no BCD",
+    "label (unit 5)": "=1+2", "warm (unit 5)": "2.36 °C", "none (unit 5)": "no value: 0x8002", "mode (unit 5)": "off" });
+  for (const { bytes } of line.sent.filter(({ bytes }) => bytes[0] === 5 && bytes[1] === 4)) assert.ok(bytes.readUInt16BE(4) <= 4, "more registers than the file says");
+  const csv = fs.readFileSync(await download(page, "csv"), "utf8");
+  assert.match(csv, /,5,all,184467440737095516\.14,/);
+  assert.match(csv, /,label,,'=1\+2,/);
+  for (const [content, words] of [["[[register]]\nname = \"a\"\naddress = 1\nadress = 2\n", /not taken: line 1: a: 'adress' is no key/], ["[[register]]\nname = \"a\naddress = 1", /line 2: a value is a text/],
+    ["", /has no registers/], [register("a", 1) + register("A", 2), /line 6: the name 'A' stands there twice/], ["<!doctype html>", /line 1: neither/]]) {
+    assert.match(await openFile(page, "flawed.toml", content), words);
+  }
+  assert.equal(await page.inputValue("#device"), "mine.toml", "the one before stays");
+  unit.words = [];
+  areWell(page);
+  await page.context().close();
+}
+
 async function main() {
   const line = new Adapter(new Unit(), "");
   const bridge = await makeBridge({ line });
   const browser = await launch();
   const step = stepwise(), only = process.env.ONLY;
   try {
-    for (const [name, act] of Object.entries({ openTwice, loadAgain, answerStrangely, answerLate, loseBytes, search })) {
+    for (const [name, act] of Object.entries({ openTwice, loadAgain, answerStrangely, answerLate, loseBytes, search, readOwnFile })) {
       if (!only || only.split(",").includes(name)) await step(name, () => act(browser, bridge.place, line));
     }
     areReads(line);

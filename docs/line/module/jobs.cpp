@@ -262,6 +262,10 @@ void put_value(json_text& out, point const& of, point_value const& value)
         out.put_literal("number", value.number);
     }
     out.put("text", value.text);
+    if (not value.wide.empty()) {
+        out.put("wide", value.wide);
+        out.put("step", tool::number_text(1, of.step));
+    }
     out.put("unit", of.unit);
     out.close_object();
 }
@@ -468,7 +472,8 @@ steps identify(asked_line& line, identities& all, std::uint8_t unit)
     }
 }
 
-steps watch(asked_line& line, identities& all, std::uint8_t unit, std::vector<point> points, microseconds period)
+steps watch(asked_line& line, identities& all, std::uint8_t unit, std::vector<point> points, microseconds period,
+            std::uint16_t most)
 {
     if (not all[unit].is_known) {
         co_await identify(line, all, unit);
@@ -480,7 +485,6 @@ steps watch(asked_line& line, identities& all, std::uint8_t unit, std::vector<po
         tell_consent_missing(line, unit, all[unit]);
         co_return;
     }
-    constexpr std::uint16_t most = 60; // registers a request, as the register files of common meters have it
     auto const* const drive = all[unit].drive;
     auto blocks = blocks_of(points, drive == nullptr ? most : std::min(most, drive->limits.read));
     for (;;) {
@@ -506,11 +510,7 @@ steps back_up(asked_line& line, identities& all, std::uint8_t unit, std::string 
         co_return;
     }
     if (who.drive == nullptr) {
-        line.tell("nothing", [&](json_text& out) {
-            out.put("text", "unit " + std::to_string(unit) +
-                                " is no drive of which this page knows the settings: read its "
-                                "values by name and save them as CSV");
-        });
+        line.tell("nothing", [&](json_text& out) { out.put("unit", unit); });
         co_return;
     }
     tool::saved_settings read;

@@ -35,8 +35,10 @@ steps scan(asked_line& line, identities& all, std::uint8_t first, std::uint8_t l
 /// By function 43, else by registers; what it finds is told, and is what consent is judged by.
 steps identify(asked_line& line, identities& all, std::uint8_t unit);
 
-/// Reads values once, or with a period from the beginning of one round to that of the next (0: once).
-steps watch(asked_line& line, identities& all, std::uint8_t unit, std::vector<point> points, microseconds period);
+/// Reads values once, or with a period from the beginning of one round to that of the next (0: once). `most` registers a request, and
+/// no more than a drive takes.
+steps watch(asked_line& line, identities& all, std::uint8_t unit, std::vector<point> points, microseconds period,
+            std::uint16_t most);
 
 /// Reads all settings of a drive; `file` is a backup as the command line tool writes it then, else empty.
 steps back_up(asked_line& line, identities& all, std::uint8_t unit, std::string time_text, std::string& file);

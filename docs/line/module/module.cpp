@@ -173,9 +173,13 @@ LINE_EXPORT(line_consent) void line_consent(std::uint32_t unit)
         all().line->consent(address(unit));
     }
 }
-/// Reads the points in the input, once where the period is 0. Why they are none, else an empty text.
-LINE_EXPORT(line_watch) char const* line_watch(std::uint32_t unit, std::uint32_t length, std::uint32_t period)
+/// Reads the points in the input, once where the period is 0, so many registers a request at most. The line that
+/// names nothing, else an empty text.
+LINE_EXPORT(line_watch)
+char const* line_watch(std::uint32_t unit, std::uint32_t length, std::uint32_t period, std::uint32_t most)
 {
+    constexpr std::uint32_t usual = 60; // as the register files of common meters have it
+    auto const limit = static_cast<std::uint16_t>(most >= 1 and most <= rtuwire::max_read_quantity ? most : usual);
     auto read = line_page::points_in(typed(length), catalog_of(unit));
     if (read.flaw.empty() and all().line) {
         if (catalog_of(unit) == nullptr) {
@@ -185,7 +189,7 @@ LINE_EXPORT(line_watch) char const* line_watch(std::uint32_t unit, std::uint32_t
             note_names(unit);
         }
         all().line->run("watch", line_page::watch(*all().line, all().units, address(unit), std::move(read.points),
-                                                  microseconds{period} * 1000));
+                                                  microseconds{period} * 1000, limit));
     }
     return give(std::move(read.flaw));
 }

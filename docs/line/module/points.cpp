@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 #include "catalog/value_text.hpp"
@@ -26,9 +27,11 @@ constexpr word_for<register_space> spaces[]{{"holding", register_space::holding}
                                             {"input", register_space::input},
                                             {"coil", register_space::coil},
                                             {"discrete", register_space::discrete}};
-constexpr word_for<value_type> types[]{{"u16", value_type::u16},  {"i16", value_type::i16}, {"u32", value_type::u32},
-                                       {"i32", value_type::i32},  {"f32", value_type::f32}, {"hex", value_type::hex},
-                                       {"bits", value_type::bits}};
+constexpr word_for<value_type> types[]{
+    {"u16", value_type::u16},     {"i16", value_type::i16},     {"u32", value_type::u32}, {"i32", value_type::i32},
+    {"f32", value_type::f32},     {"u64", value_type::u64},     {"i64", value_type::i64}, {"f64", value_type::f64},
+    {"bcd16", value_type::bcd16}, {"bcd32", value_type::bcd32}, {"hex", value_type::hex}, {"bits", value_type::bits}};
+constexpr std::uint16_t most_letters = 250; // of a text: those of 125 registers
 constexpr std::string_view orders[]{"abcd", "cdab", "badc", "dcba"};
 
 template <typename T, std::size_t Size>
@@ -38,15 +41,18 @@ std::optional<T> meant_by(std::string_view word, word_for<T> const (&known)[Size
     return found == std::end(known) ? std::nullopt : std::optional{found->what};
 }
 
-bool is_wide(value_type type) { return type == value_type::u32 or type == value_type::i32 or type == value_type::f32; }
-
-std::string why_no_point(std::string_view word)
+std::uint16_t registers_of(value_type type)
 {
-    return "'" + std::string{word} +
-           "' names nothing here: type a name from the list, an address (3201), or a place such as input:1000:f32, "
-           "holding:40-43:i16, coil:0-7. Types: u16, i16, u32, i32, f32, hex, bits; then the order of the bytes, abcd "
-           "or "
-           "cdab";
+    switch (type) {
+    case value_type::u32:
+    case value_type::i32:
+    case value_type::f32:
+    case value_type::bcd32: return 2;
+    case value_type::u64:
+    case value_type::i64:
+    case value_type::f64: return 4;
+    default: return 1;
+    }
 }
 
 /// "input:1000-1003:f32:cdab"; empty where it is no place.
@@ -66,19 +72,23 @@ std::vector<point> places_in(std::string_view word)
     auto const from = tool::word_number(parts[0].substr(0, dash));
     auto const to = dash == parts[0].npos ? from : tool::word_number(parts[0].substr(dash + 1));
     if (parts.size() > 1) {
+        constexpr std::string_view text = "text";
         auto const type = meant_by(parts[1], types);
-        if (not type) {
+        auto const letters =
+            parts[1].starts_with(text) ? tool::word_number(parts[1].substr(text.size())) : std::nullopt;
+        if (not type and (not letters or *letters == 0 or *letters > most_letters)) {
             return {};
         }
-        first.type = *type;
+        first.type = type.value_or(value_type::text);
+        first.letters = type ? std::uint16_t{0} : *letters;
+        first.count = static_cast<std::uint16_t>(type ? registers_of(*type) : (*letters + 1) / 2);
     }
     if (parts.size() > 2) {
-        if (not is_wide(first.type) or std::ranges::find(orders, parts[2]) == std::end(orders)) {
+        if (first.count == 1 or std::ranges::find(orders, parts[2]) == std::end(orders)) {
             return {};
         }
         first.order = parts[2];
     }
-    first.count = is_wide(first.type) ? 2 : 1;
     constexpr std::uint32_t most = 500;
     std::vector<point> all;
     for (std::uint32_t at = from.value_or(1);
@@ -154,32 +164,75 @@ std::vector<point> point_of_fields(std::vector<std::string_view> const& fields)
         }
         for (std::string_view const none : tool::parts_of(fields[5])) {
             if (auto const number = whole_number(none)) {
-                each.invalid.push_back(static_cast<std::uint32_t>(*number));
+                each.invalid.push_back(static_cast<std::uint64_t>(*number));
             }
         }
     }
     return all;
 }
 
-std::uint32_t bits_of(point const& of, std::span<std::uint16_t const> words)
+std::uint64_t bits_of(point const& of, std::span<std::uint16_t const> words)
 {
-    if (of.count == 1) {
-        return words[0];
-    }
-    std::string_view const order = of.order.empty() ? orders[0] : std::string_view{of.order};
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        std::uint32_t const byte = words[i / 2] >> (i % 2 == 0 ? 8U : 0U) & 0xFFU;
-        bits |= byte << 8U * static_cast<unsigned>('d' - order[i]);
+    bool const has_low_word_first = of.order.starts_with('c') or of.order.starts_with('d');
+    bool const has_low_byte_first = of.order.starts_with('b') or of.order.starts_with('d');
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        unsigned const word = words[has_low_word_first ? words.size() - 1 - i : i];
+        bits = bits << 16U | (has_low_byte_first ? (word << 8U | word >> 8U) & 0xFFFFU : word);
     }
     return bits;
 }
 
-std::int64_t count_of(point const& of, std::uint32_t bits)
+/// Of packed decimals nothing where a digit is none.
+std::optional<std::int64_t> count_of(value_type type, std::uint64_t bits)
 {
-    return of.type == value_type::i16   ? static_cast<std::int16_t>(bits)
-           : of.type == value_type::i32 ? static_cast<std::int32_t>(bits)
-                                        : std::int64_t{bits};
+    switch (type) {
+    case value_type::i16: return static_cast<std::int16_t>(bits);
+    case value_type::i32: return static_cast<std::int32_t>(bits);
+    case value_type::bcd16:
+    case value_type::bcd32: break;
+    default: return static_cast<std::int64_t>(bits);
+    }
+    std::int64_t number = 0;
+    for (unsigned left = 8; left-- > 0;) {
+        auto const digit = static_cast<int>(bits >> 4 * left & 0xFU);
+        if (digit > 9) {
+            return std::nullopt;
+        }
+        number = number * 10 + digit;
+    }
+    return number;
+}
+
+std::string hex_text(std::span<std::uint16_t const> words)
+{
+    std::string text = "0x";
+    for (std::uint16_t const word : words) {
+        text += tool::hex_word(word).substr(2);
+    }
+    return text;
+}
+
+std::string hex_of(std::uint64_t bits)
+{
+    std::uint16_t const words[]{static_cast<std::uint16_t>(bits >> 48U), static_cast<std::uint16_t>(bits >> 32U),
+                                static_cast<std::uint16_t>(bits >> 16U), static_cast<std::uint16_t>(bits)};
+    return hex_text(words);
+}
+
+/// Up to a 0, without blanks behind; what is no printable letter of ASCII is a question mark.
+std::string letters_of(point const& of, std::span<std::uint16_t const> words)
+{
+    std::string text;
+    for (unsigned const i : std::views::iota(0U, unsigned{of.letters})) {
+        bool const is_high = (i % 2 == 0) != of.order.starts_with('b');
+        unsigned const letter = words[i / 2] >> (is_high ? 8U : 0U) & 0xFFU;
+        if (letter == 0) {
+            break;
+        }
+        text += letter >= ' ' and letter <= '~' ? static_cast<char>(letter) : '?';
+    }
+    return text.erase(text.find_last_not_of(' ') + 1);
 }
 
 std::string with_unit(std::string text, std::string const& unit)
@@ -208,7 +261,7 @@ points_read points_in(std::string_view text, tool::drive_catalog const* drive)
         auto const fields = tool::parts_of(line, "\t");
         auto found = fields.size() == fields_of_file ? point_of_fields(fields) : points_of_word(line, drive);
         if (found.empty()) {
-            return {.flaw = why_no_point(line)};
+            return {.flaw = std::string{line}};
         }
         read.points.insert(read.points.end(), found.begin(), found.end());
     }
@@ -223,22 +276,37 @@ point_value value_of(point const& of, tool::drive_catalog const* drive, std::spa
                                                : std::to_string(words[0]),
                 step ? tool::full_text(*of.entry, words[0], *step) : std::to_string(words[0]) + " steps"};
     }
-    std::uint32_t const bits = bits_of(of, words);
-    if (std::ranges::find(of.invalid, bits) != of.invalid.end()) {
-        return {{}, "no value: " + tool::hex_word(words[0])};
+    if (of.type == value_type::text) {
+        return {.text = letters_of(of, words)};
     }
-    if (of.type == value_type::f32) {
-        auto const shown = rtuwire::text_of(rtuwire::real<rtuwire::count16>{std::bit_cast<float>(bits)});
+    std::uint64_t const bits = bits_of(of, words);
+    if (std::ranges::find(of.invalid, bits) != of.invalid.end()) {
+        return {.text = "no value: " + hex_text(words)};
+    }
+    bool const is_plain = of.step.numerator == 1 and of.step.denominator == 1;
+    if (of.type == value_type::f32 and is_plain) {
+        auto const number = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+        auto const shown = rtuwire::text_of(rtuwire::real<rtuwire::count16>{number});
         std::string text{std::string_view{shown}};
         bool const is_finite = (bits >> 23U & 0xFFU) != 0xFFU;
         return {is_finite ? text : std::string{}, is_finite ? with_unit(text, of.unit) : text};
     }
     if (of.type == value_type::hex or of.type == value_type::bits) {
-        return {std::to_string(bits), tool::hex_word(words[0])};
+        return {std::to_string(static_cast<std::uint32_t>(bits)), tool::hex_word(words[0])};
     }
-    std::int64_t const count = count_of(of, bits);
-    auto const choice = std::ranges::find(of.choices, count, [](auto const& each) { return each.second; });
-    std::string const number = tool::number_text(count, of.step);
+    if (of.count == 4 or of.type == value_type::f32) {
+        char const* const type = of.type == value_type::f32   ? "f32:"
+                                 : of.type == value_type::f64 ? "f64:"
+                                 : of.type == value_type::i64 ? "i64:"
+                                                              : "u64:";
+        return {.text = with_unit(hex_text(words), of.unit), .wide = type + hex_of(bits)};
+    }
+    auto const count = count_of(of.type, bits);
+    if (not count) {
+        return {.text = hex_text(words) + ", which is no BCD"};
+    }
+    auto const choice = std::ranges::find(of.choices, *count, [](auto const& each) { return each.second; });
+    std::string const number = tool::number_text(*count, of.step);
     return {number, choice != of.choices.end() ? choice->first : with_unit(number, of.unit)};
 }
 

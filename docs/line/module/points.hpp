@@ -22,11 +22,12 @@ struct point {
     std::uint16_t address{0};
     std::uint16_t count{1}; ///< registers, or 1 bit
     tool::value_type type{tool::value_type::u16};
-    std::string order{};    ///< of four letters, "cdab"; empty: the high register first
-    tool::step_size step{}; ///< of one count, in the unit
+    std::uint16_t letters{0}; ///< of a text
+    std::string order{};      ///< of four letters, "cdab", of 64 bits by their words; empty: the high register first
+    tool::step_size step{};   ///< of one count, in the unit
     std::string unit{};
     std::vector<std::pair<std::string, std::int64_t>> choices{};
-    std::vector<std::uint32_t> invalid{}; ///< counts that mean no value
+    std::vector<std::uint64_t> invalid{}; ///< bits that mean no value
     tool::register_entry const* entry{nullptr};
 
     [[nodiscard]] std::uint8_t function() const noexcept;
@@ -34,7 +35,7 @@ struct point {
 
 struct points_read {
     std::vector<point> points{};
-    std::string flaw{}; ///< names the word, and says what would be right
+    std::string flaw{}; ///< the line that names nothing
 };
 
 /// A point a line: a drive's mnemonic, `3201`, `input:1000:f32:cdab`, `coil:0-7`; or the fields of a register file with tabs
@@ -44,6 +45,7 @@ struct points_read {
 struct point_value {
     std::string number{}; ///< a number of JSON; empty where it is none
     std::string text{};
+    std::string wide{}; ///< of what only the page can write in decimal: "f64:" or "u64:", and its bits
 };
 [[nodiscard]] point_value value_of(point const& of, tool::drive_catalog const* drive,
                                    std::span<std::uint16_t const> words);

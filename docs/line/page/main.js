@@ -94,7 +94,7 @@ class ValuesView {
       if (!this.rows.has(key)) this.add(key, unit, each);
       const row = this.rows.get(key);
       row.text = each.text;
-      if (each.number !== undefined) row.series.push([at, each.number]);
+      if (each.number !== undefined) row.series.push([at, Number(each.number)]);
       if (row.series.length > 2000) row.series.splice(0, 200);
       if (this.kept.length < most) this.kept.push([now, unit, each.name, each.number ?? "", each.text, each.unit]);
     }
@@ -141,7 +141,9 @@ class ValuesView {
 
   csv() {
     const quoted = (field) => /[",\r\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field;
-    const line = (fields) => fields.map((field) => quoted(String(field))).join(",") + "\r\n";
+    // A text of a unit is no formula of a spreadsheet.
+    const tame = (field) => /^([=+@\t]|-(?![\d.]))/.test(field) ? "'" + field : field;
+    const line = (fields) => fields.map((field) => quoted(tame(String(field)))).join(",") + "\r\n";
     return line(["time", "unit", "name", "number", "value", "measure"]) + this.kept.map(line).join("");
   }
 }
@@ -170,7 +172,32 @@ class LinePage {
     options("baud", [1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200]);
     byId("baud").value = "19200";
     options("format", formatNames);
-    byId("device").replaceChildren(make("option", { value: "" }, "what it says it is"), ...rows.devices.map((each) => make("option", { value: each.name }, each.name)));
+    this.devices = Object.entries(rows.files).map(([name, text]) => readRegisterFile(name, text));
+    this.showDevices("");
+  }
+
+  showDevices(chosen) {
+    byId("device").replaceChildren(make("option", { value: "" }, "what it says it is"), ...this.devices.map((each) => make("option", { value: each.name }, each.name)));
+    byId("device").value = chosen;
+  }
+  get device() { return this.devices.find((each) => each.name === byId("device").value); }
+
+  /// A register file of one's own. One of the same name takes the place of the one before; one with a flaw, of none.
+  async openFile() {
+    const [file] = byId("file").files;
+    if (!file) return;
+    byId("file").value = ""; // the same one may be opened again, mended
+    try {
+      if (file.size > 1e6) throw new Error("it is larger than a megabyte");
+      const read = readRegisterFile(file.name, await file.text());
+      this.devices = [...this.devices.filter(({ name }) => name !== read.name), read];
+      this.showDevices(read.name);
+      const left = read.leftOut.length ? ` This page does not read, and left out: ${read.leftOut.join(", ")}. The tool reads them.` : "";
+      setText("file-note", `${read.name}: ${read.points.length} ${read.points.length === 1 ? "name" : "names"}.${left}`);
+    } catch (problem) {
+      setText("file-note", `${file.name} was not taken: ${problem.message}.`);
+    }
+    this.showNames();
   }
 
   tell(text) {
@@ -208,6 +235,7 @@ class LinePage {
     on("capture", async () => save("line.pcapng", await this.line.get("capture"), "application/octet-stream"));
     on("backup", () => this.withUnit((unit) => this.line.act("backUp", unit, localTime())));
     byId("device").addEventListener("change", () => this.showNames());
+    byId("file").addEventListener("change", () => this.openFile());
     byId("unit").addEventListener("input", () => { this.showNames(); this.show(); });
     byId("bytes").addEventListener("input", () => this.decode());
     addEventListener("beforeunload", (event) => { if (this.state.job === "watch" && this.polledDrive) event.preventDefault(); });
@@ -284,32 +312,32 @@ class LinePage {
   }
 
   namesOf(unit) {
-    const device = rows.devices.find((each) => each.name === byId("device").value);
-    return device ? device.points : this.units.get(unit)?.registers ?? [];
+    return this.device?.points ?? this.units.get(unit)?.registers ?? [];
   }
 
   async showNames() {
     const unit = Number(byId("unit").value), known = this.units.get(unit);
     if (known?.drive && !known.registers) known.registers = (await this.line.get("registers", unit)).map((each) => [each.name, "", "", each.unit, each.text, each.driving]);
-    byId("names").replaceChildren(...this.namesOf(unit).map((each) => make("option", { value: each[0] }, known?.registers ? each[4] : each[1])));
+    byId("names").replaceChildren(...this.namesOf(unit).map((each) => make("option", { value: each[0] }, !this.device && known?.registers ? each[4] : each[1])));
   }
 
   /// What was typed, as the module takes it: a line for each.
   pointLines(unit) {
-    const names = this.namesOf(unit), isDevice = byId("device").value !== "";
+    const names = this.namesOf(unit), isDevice = Boolean(this.device);
     const words = byId("points").value.split(",").map((each) => each.trim()).filter(Boolean);
     const line = (row) => isDevice ? row.slice(0, 6).join("\t") : row[0];
     return words.flatMap((word) => {
       if (word === "*") return names.filter((row) => isDevice || row[5]).map(line);
       const row = names.find((each) => each[0].toLowerCase() === word.toLowerCase());
-      return [row ? line(row) : word];
+      return [row ? line(row) : placeWord(word)];
     }).join("\n");
   }
 
   read(period) {
     this.withUnit(async (unit) => {
       const lines = this.pointLines(unit);
-      const flaw = lines === "" ? "Type which values: a name, or a place such as input:1000:f32." : await this.line.act("watch", unit, lines, period);
+      const flaw = lines === "" ? "Type which values: a name, or a place such as input:1000:f32."
+        : lines.length > 60000 ? "These are too many at once: name fewer than all." : await this.line.act("watch", unit, lines, period, this.device?.most ?? 0);
       setText("points-flaw", flaw);
       this.asked = { unit, period };
       this.polled = unit;
@@ -431,7 +459,9 @@ class LinePage {
     this.showNames();
   }
 
-  on_values({ unit, values, time }) { this.values.note(unit, values, time / 1000); }
+  on_values({ unit, values, time }) {
+    this.values.note(unit, values.map((each) => (each.wide ? { ...each, ...wideValue(each) } : each)), time / 1000);
+  }
 
   on_consent({ unit, drive }) {
     this.askedBackup = this.state.job === "backup";
@@ -444,7 +474,7 @@ class LinePage {
     byId("agree").focus();
   }
 
-  on_nothing({ text }) { this.tell(text + "."); }
+  on_nothing({ unit }) { this.tell(`Unit ${unit} is no drive of which this page knows the settings: read its values by name and save them as CSV.`); }
 
   async on_backup({ unit, rows: count, refused }) {
     save(`unit-${unit}.json`, await this.line.get("file"), "application/json");

@@ -20,7 +20,11 @@ async function loadLine(moduleText) {
     memory().set(kept, api.line_input());
     return kept.length;
   };
-  const putText = (text) => put(new TextEncoder().encode(text));
+  const putText = (text) => {
+    const bytes = new TextEncoder().encode(text);
+    if (bytes.length > api.line_input_size()) throw new RangeError(`${bytes.length} bytes of text: at most ${api.line_input_size()} go at once`);
+    return put(bytes);
+  };
   /// In pieces that fit the input.
   const inPieces = (bytes, take) => {
     for (let at = 0; at < bytes.length; at += api.line_input_size()) take(put(bytes.subarray(at)));
@@ -41,7 +45,11 @@ async function loadLine(moduleText) {
     scan: (first, last) => api.line_scan(first, last),
     identify: (unit) => api.line_identify(unit),
     consent: (unit) => api.line_consent(unit),
-    watch: (unit, points, period) => textAt(api.line_watch(unit, putText(points), period)),
+    watch: (unit, points, period, most = 0) => {
+      const [word] = textAt(api.line_watch(unit, putText(points), period, most)).split("\t");
+      return word && `'${word}' names nothing here: type a name from the list, an address (3201), or a place such as input:1000:f32, holding:40-43:i16, coil:0-7. ` +
+        "Types: u16 i16 u32 i32 u64 i64 f32 f64 bcd16 bcd32 hex bits text8; then the order of the bytes: abcd, cdab, badc, dcba";
+    },
     backUp: (unit, time) => api.line_back_up(unit, putText(time)),
     file: () => textAt(api.line_file()),
     capture: () => output(api.line_capture()),
