@@ -25,11 +25,15 @@ const frameOf = (...bytes) => Buffer.from([...bytes, crcOf(bytes) & 255, crcOf(b
 class Unit {
   constructor(words = []) {
     this.words = words;
+    this.owes = 0; ///< responses that are still to come
     this.answers = (response) => [[5, response]];
   }
 
   take(request, bring) {
-    for (const [later, bytes] of this.answers(this.response(request), request)) setTimeout(() => bring(bytes), later);
+    for (const [later, bytes] of this.answers(this.response(request), request)) {
+      ++this.owes;
+      setTimeout(() => { --this.owes; bring(bytes); }, later);
+    }
   }
   response(request) {
     const [unit, code] = request;
