@@ -30,7 +30,7 @@ ANY = re.compile(r"\b[A-Z]{4,}\b")
 # Names that others gave, or that a program puts together.
 OF_LIBRARIES = re.compile(r"(?:modbus|nmbs|NMBS)_\w+")
 OF_OTHERS = {
-    "docs/boards.md": {"HAL_TIM_Base_Start", "HAL_RS485Ex_Init", "CMAKE_CXX_STANDARD", "pico_stdlib",
+    "docs/boards.md": {"HAL_TIM_Base_Start", "HAL_TIM_Base_Start_IT", "HAL_RS485Ex_Init", "CMAKE_CXX_STANDARD", "pico_stdlib",
                        "hardware_uart", "hardware_irq", "CONFIG_SYS_CLOCK_TICKS_PER_SEC", "CONFIG_FREERTOS_HZ",
                        "CONFIG_CPP", "CONFIG_STD_CPP20", "CONFIG_REQUIRES_FULL_LIBCPP", "CONFIG_SERIAL",
                        "CONFIG_UART_INTERRUPT_DRIVEN", "CONFIG_GPIO", "k_cycle_get_32",
