@@ -15,6 +15,7 @@ using namespace rtuwire;
 //! [head]
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <thread>
 
 namespace {
@@ -141,6 +142,43 @@ void run(simulated_board& board)
     //! [loop]
 }
 
+/// Reads a register, then writes what was made of it.
+void run_in_order(simulated_board& board)
+{
+    client link{line_timing{19'200, character_format::even_8_1}};
+    //! [order]
+    single_request ask{unit_id{7}, read_holding_registers{.start = 103, .count = 1}};
+    std::optional<single_request<write_single_register>> tell; // made once there is what to write
+
+    auto const visit = [&](instant now) { // in the loop, in place of link.converse(ask, now) and what follows it
+        if (not tell) {
+            link.converse(ask, now);
+            auto const outcome = ask.outcome(); // errc::busy until it has settled
+            auto const seen = outcome ? outcome->to<read_holding_registers>() : outcome.error();
+            if (seen) {
+                auto const half = static_cast<std::uint16_t>(seen->registers[0] / 2);
+                tell.emplace(unit_id{7}, write_single_register{.address = 101, .value = half});
+            } else if (ask.settled()) {
+                board.show(seen.error());
+                ask.again();
+            }
+        } else if (not tell->settled()) {
+            link.converse(*tell, now);
+        }
+    };
+    //! [order]
+    while (board.goes_on() and not(tell and tell->settled())) {
+        auto const now = board.now();
+        board.line.deliver_to(link, now);
+        link.advance(now);
+        visit(now);
+        if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
+            board.send(frame);
+        }
+        board.sleep_until(link.poll_deadline());
+    }
+}
+
 //! [callbacks]
 struct tank_bank {
     std::uint16_t level{420};
@@ -258,5 +296,11 @@ int main()
 
     simulated_board board{line_timing{19'200, character_format::even_8_1}};
     run(board);
-    return is_read and is_told and has_stayed and board.shown == 3 and sketch_answers() and tank_answers() ? 0 : 1;
+    simulated_board second{line_timing{19'200, character_format::even_8_1}};
+    run_in_order(second);
+    bool const is_in_order = second.far.get(101) == 750;
+    return is_read and is_told and has_stayed and is_in_order and board.shown == 3 and sketch_answers() and
+                   tank_answers()
+               ? 0
+               : 1;
 }
