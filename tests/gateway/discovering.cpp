@@ -114,6 +114,46 @@ TEST_CASE("a text is no measurement")
     CHECK_FALSE(said.contains("suggested_display_precision"));
 }
 
+TEST_CASE("words of bits and of choices of a drive are no measurements")
+{
+    gateway_plan const plan = read_gateway_file("gateway.toml", R"(
+site = "hall3"
+gateway = "g1"
+[[line]]
+name = "line1"
+port = "sim:atv320:7"
+[[line.device]]
+name = "fan"
+unit = 7
+drive = "atv320"
+registers = ["ETA", "ETA.3", "LFT", "RFR", "3201:u16"]
+feeds_supervision = true
+)");
+    line_plan const& line = *plan.lines.front();
+    device_plan const& device = line.devices.front();
+    REQUIRE(device.values.size() == 5);
+    for (device_value const& value : device.values) {
+        json const said = json::parse(discovery_of(plan, line, device, value, false).text);
+        bool const is_amount = value.name == "RFR" or value.name.starts_with("3201");
+        INFO(said.dump());
+        CHECK(said.contains("state_class") == is_amount);
+        CHECK(said.contains("suggested_display_precision") == is_amount);
+        CHECK(said.contains("unit_of_measurement") == (value.name == "RFR"));
+        CHECK(said["expire_after"] == 5);
+    }
+}
+
+TEST_CASE("some bits of a register are a measurement where they have a unit")
+{
+    tried_value one;
+    one.value.which.where.bit = 3;
+    one.value.which.where.last_bit = 5;
+    CHECK(one.message()["state_class"] == "measurement");
+    one.value.unit = "";
+    CHECK_FALSE(one.message().contains("state_class"));
+    CHECK_FALSE(one.message().contains("suggested_display_precision"));
+}
+
 TEST_CASE("a setting is a number only where it may be written, never optimistic and never kept")
 {
     tried_value one;

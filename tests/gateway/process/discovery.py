@@ -49,7 +49,7 @@ def messages(check, program, tool):
                       each.said.get("state_topic"))
                 if each.component == "sensor":
                     period = 60.0 if each.name == "energy" else 0.5
-                    check(each.said.get("expire_after") == max(5, 3 * period), f"{each.name}: unknown behind three periods",
+                    check(each.said.get("expire_after") == max(5, 3 * period), f"{each.name}: unavailable after three periods",
                           each.said.get("expire_after"))
                 # Every message of its topic.
                 wrong = []
@@ -69,6 +69,9 @@ def messages(check, program, tool):
                       (of, unit, state), f"{name} is {of} in {unit}", each and each.said)
             each = named(entities, "sensor", "voltage")
             check(each and each.said.get("suggested_display_precision") == 1, "the digits that the scale has", each and each.said)
+            each = named(entities, "sensor", "ETA")
+            check(each and not {"state_class", "suggested_display_precision", "unit_of_measurement", "device_class"} & set(each.said),
+                  "a status word is no measurement", each and each.said)
             check(not [each for each in entities if each.component != "sensor" and "fan" in each.topic], "of a drive nothing is set")
             check(not [each for each in entities if each.component != "sensor" and each.name not in ("set_point", "mode")],
                   "nor what the file does not name")

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include <nlohmann/json.hpp>
 #include <rtuwire/frames.hpp>
@@ -123,6 +124,16 @@ public:
 private:
     bool has_choices() const { return value_.kind == value_kind::choice or value_.kind == value_kind::flag; }
 
+    /// A word of bits, or some of them: its number is no amount, of which a mean or a digit behind the point would say anything.
+    bool is_bits() const
+    {
+        auto const& [where, entry] = std::tie(value_.which.where, value_.which.entry);
+        bool const is_entry = entry != nullptr and where.form.said.empty();
+        return value_.unit.empty() and (where.bit >= 0 or (is_entry and entry->kind == register_kind::bits));
+    }
+
+    unsigned digits() const { return value_.decimals.value_or(is_bits() ? 0 : 2); }
+
     /// A counter of both directions.
     bool may_fall() const
     {
@@ -152,9 +163,9 @@ private:
         if (not device_class.empty()) {
             all_["device_class"] = device_class;
         }
-        if (not is_setting_) {
+        if (not is_setting_ and not is_bits()) {
             all_["state_class"] = device_class != "energy" ? "measurement" : may_fall() ? "total" : "total_increasing";
-            all_["suggested_display_precision"] = value_.decimals.value_or(2);
+            all_["suggested_display_precision"] = digits();
         }
     }
 
@@ -174,8 +185,7 @@ private:
             all_["min"] = json_of(limits.lowest.value_or(-2'147'483'648.0));
             all_["max"] = json_of(limits.highest.value_or(4'294'967'295.0));
             // It knows no smaller one.
-            all_["step"] =
-                json_of(std::max(0.001, limits.step.value_or(std::pow(10, -double(value_.decimals.value_or(2))))));
+            all_["step"] = json_of(std::max(0.001, limits.step.value_or(std::pow(10, -double(digits())))));
         }
     }
 
