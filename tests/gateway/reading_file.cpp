@@ -433,9 +433,9 @@ TEST_CASE("a line that answers clients says which units they may read")
              {"units = \"3\"\nwrite = true", "15:9: clients of a gateway's line read"},
              {"units = \"3\"\nwrites = true", "15:1: "},
              {"units = \"300\"", "13:1: "},
-             {"units = \"3\"\nlisten = \"nowhere\"", "13:1: --listen: "},
+             {"units = \"3\"\nlisten = \"nowhere\"", "13:1: listen: "},
              {"units = \"3\"\nfrom = \"10.0.0.1\"", "15:8: from is a list"},
-             {"units = \"3\"\nfrom = [\"10.0.0.1/8\"]", "13:1: --from 10.0.0.1/8"}}) {
+             {"units = \"3\"\nfrom = [\"10.0.0.1/8\"]", "13:1: from 10.0.0.1/8"}}) {
         std::string const found = folder.refusal(with_serve(keys));
         CAPTURE(keys, found);
         CHECK(found.starts_with("gateway.toml:" + why));

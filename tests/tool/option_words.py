@@ -8,6 +8,7 @@ and `serve` asks for many units.
 import contextlib
 import json
 import re
+import socket
 import subprocess
 import sys
 import threading
@@ -16,6 +17,7 @@ import time
 from support import HERE, Line, Tool, runs, soon, with_crc
 
 from field_units import OnTcp  # noqa: I100
+from pair import free_port  # noqa: I100
 from served import FIRST, Asker, PlainUnits, Served, message, read_of  # noqa: I100
 
 sys.path.insert(0, str(HERE.parent / "gateway" / "process"))
@@ -131,8 +133,6 @@ def text_of(port, how, broker=1):
 
 def said_by_gateway(tool, gateway, port, how, wanted):
     """All that it says, and publishes, until the wanted words have come, or it has ended."""
-    (tool.place / "meter.toml").write_text('[[register]]\nname = "level"\naddress = 1000\n', encoding="utf-8")
-    (tool.place / "state").mkdir(exist_ok=True)
     errors = tool.place / "errors"
     with Broker(tool.place) as broker, Client(broker.port, "rtuwire/#") as client, open(errors, "wb") as to:
         (tool.place / "gateway.toml").write_text(text_of(port, how, broker.port), encoding="utf-8")
@@ -159,6 +159,58 @@ def check_gateway(tool, gateway, check):
         shown = re.sub(r"`[^`]*`", "", ended.stderr)  # a command of the tool has its own
         check(set(OPTION.findall(shown)) <= OWN["gateway"], f"gateway, {words}: no option that it does not have", ended.stderr)
         check("CMD" not in words or "`rtuwire -p sim:atv320:7 -u 7 stop`" in ended.stderr, "what stops the motor is shown with its port and unit", ended.stderr)
+
+
+# What a client of a line sends, what `serve` says of that, and what the gateway does of its own clients.
+CLIENTS = (
+    ("an address that is not let in", None, {"from": ["10.9.9.9"]}, "is none of --from, and", "is none of from, and"),
+    ("RTU frames at Modbus TCP", with_crc(bytes((UNIT, 3, 0, 1, 0, 1))), {}, "what it sends is for --listen tcp://ADDRESS:PORT",
+     'what it sends is for listen = "tcp://ADDRESS:PORT"'),
+    ("another unit", message(1, UNIT + 1, read_of(FIRST)), {}, "is not served: --units does not name it", "is not served: units does not name it"),
+    ("all units", message(1, 0, bytes((6, 0, 1, 0, 1))), {}, "all units of the line: that takes --allow-broadcast and --write", "all units of the line\n"),
+    ("a write", message(1, UNIT, bytes((6, 0, 1, 0, 1))), {}, "only reads pass; say --write", "only reads pass\n"),
+)
+
+
+def sends(number, data):
+    """A client that waits for what becomes of that, at most a while."""
+    with socket.create_connection(("127.0.0.1", number), LIMIT) as line:
+        line.settimeout(1)
+        with contextlib.suppress(OSError):
+            line.sendall(data or b"")
+            line.recv(512)
+
+
+def text_with(serve):
+    keys = "".join(f"{name} = {json.dumps(value)}\n" for name, value in serve.items())
+    return text_of(f"sim:meter.toml:{UNIT}", {}).replace("[[line.device]]", f"[line.serve]\n{keys}[[line.device]]")
+
+
+def check_clients(tool, program, gateway, check):
+    for what, data, how, _, wanted in CLIENTS:
+        number = free_port()
+        (tool.place / "clients.toml").write_text(
+            text_with({"listen": f"mbap://127.0.0.1:{number}", "units": str(UNIT), **how}), encoding="utf-8")
+        with open(tool.place / "errors", "w+b") as to, subprocess.Popen(
+                [gateway, "clients.toml"], cwd=tool.place, stdin=subprocess.DEVNULL, stdout=to, stderr=to, env=tool.environment) as process:
+            def said(place=tool.place / "errors"):
+                return place.read_text(errors="replace")
+            check(soon(lambda: f"clients may read units {UNIT} at" in said(), LIMIT), f"gateway, a client, {what}: it listens", said())
+            sends(number, data)
+            soon(lambda: wanted in said(), LIMIT)
+            process.kill()
+        check(wanted in said(), f"gateway, a client, {what}: {wanted}", said())
+        check(set(OPTION.findall(said())) <= OWN["gateway"], f"gateway, a client, {what}: no option that it does not have", said())
+    for what, data, how, wanted, _ in CLIENTS:
+        options = [part for each in how.get("from", ()) for part in ("--from", each)]
+        with Served(program, f"sim:atv320:{UNIT}", "--units", str(UNIT), *options) as served:
+            sends(served.number, data)
+            check(soon(lambda: any(wanted in each for each in served.said()), LIMIT), f"serve, a client, {what}: {wanted}", served.said())
+    for key, value, wanted in (("listen", "nowhere", ": listen: "), ("from", ["10.0.0.1/8"], "from 10.0.0.1/8: it is an address")):
+        (tool.place / "gateway.toml").write_text(text_with({"units": str(UNIT), key: value}), encoding="utf-8")
+        ended = subprocess.run([gateway, "--check", "gateway.toml"], cwd=tool.place, env=tool.environment, capture_output=True, text=True, check=False)
+        check(ended.returncode == 2 and wanted in ended.stderr and set(OPTION.findall(ended.stderr)) <= OWN["gateway"],
+              f"gateway, {key} that is wrong: its own word", ended.stderr)
 
 
 def check_serve(tool, program, check):
@@ -190,8 +242,11 @@ def check_forms(tool, check):
 
 def main(check, program, gateway):
     with Tool(program) as tool:
+        (tool.place / "meter.toml").write_text('[[register]]\nname = "level"\naddress = 1000\n', encoding="utf-8")
+        (tool.place / "state").mkdir(exist_ok=True)
         check_gateway(tool, gateway, check)
         check_serve(tool, program, check)
+        check_clients(tool, program, gateway, check)
         check_forms(tool, check)
 
 

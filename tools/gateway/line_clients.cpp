@@ -10,8 +10,6 @@ line_clients::line_clients(choices const& chosen, std::function<void(std::string
     : chosen_{chosen}, tell_{tell}, settings_{serve_settings_in(chosen_)}, events_{std::move(tell)},
       clients_{settings_, counts_, events_, {}}, served_{chosen_, settings_, clients_, counts_, events_}
 {
-    settings_.gate.units_word = "units";
-    settings_.gate.write_word.clear(); // there is none
     listen();
 }
 

@@ -7,17 +7,18 @@
 
 #include "exit_status.hpp"
 #include "line/line_words.hpp"
+#include "words/option_words.hpp"
 #include "words/words.hpp"
 
 namespace tool {
 
 namespace {
 
-listen_place place_to_listen(std::string const& word)
+listen_place place_to_listen(std::string const& word, option_form form)
 {
     port_choice const which = read_listen_word(word);
     if (which.refused) {
-        refuse_word("--listen: " + which.refused->sentence);
+        refuse_word(option_words(form, line_option::listen) + ": " + which.refused->sentence);
     }
     if (auto const* const numbered = std::get_if<mbap_address>(&which.port)) {
         return {client_protocol::mbap, {numbered->host, numbered->port}};
@@ -83,12 +84,14 @@ void refuse_what_is_no_option_here(choices const& chosen)
 serve_settings serve_settings_in(choices const& chosen)
 {
     refuse_what_is_no_option_here(chosen);
+    option_form const form = chosen.line.typed.form;
     serve_settings settings;
+    settings.gate.form = form;
     for (std::string const& each : chosen.serve.listen) {
-        settings.listen.push_back(place_to_listen(each));
+        settings.listen.push_back(place_to_listen(each, form));
     }
     if (settings.listen.empty()) {
-        settings.listen.push_back(place_to_listen("mbap://127.0.0.1:1502"));
+        settings.listen.push_back(place_to_listen("mbap://127.0.0.1:1502", form));
     }
     if (not chosen.serve.units.empty()) {
         auto const units = units_in(chosen.serve.units);
@@ -102,7 +105,7 @@ serve_settings serve_settings_in(choices const& chosen)
     for (std::string const& each : chosen.serve.from) {
         auto const range = client_range::of(each);
         if (not range) {
-            refuse_word("--from " + each +
+            refuse_word(option_words(form, line_option::from) + " " + each +
                         ": it is an address, 10.0.0.7, or those that begin alike, 192.168.1.0/24 or "
                         "fd00::/8, in which all bits behind that length are 0");
         }

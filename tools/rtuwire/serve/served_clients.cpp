@@ -12,6 +12,7 @@
 #include "line/end_wish.hpp"
 #include "motion/raw_effect.hpp"
 #include "serve/metrics_page.hpp"
+#include "words/option_words.hpp"
 #include "words/time_words.hpp"
 
 namespace tool {
@@ -247,7 +248,10 @@ void served_clients::take_clients(listener& at, serve_time when)
             return each.has(host);
         });
     if (not is_known) {
-        note_refused("from", nullptr, name + " is none of --from, and was hung up on", name);
+        note_refused("from", nullptr,
+                     name + " is none of " + option_words(settings_.gate.form, line_option::from) +
+                         ", and was hung up on",
+                     name);
     } else if (clients_.size() >= most_clients) {
         note_refused("clients", nullptr,
                      name + " was hung up on: " + std::to_string(most_clients) + " clients are connected", name);
@@ -348,7 +352,8 @@ std::string served_clients::words_of_other_protocol(client const& one) const
     std::string const other = place_of(is_rtu ? client_protocol::mbap : client_protocol::rtu);
     return one.line.device() + (is_rtu ? " sends Modbus TCP" : " sends RTU frames") + " to " +
            place_of(is_rtu ? client_protocol::rtu : client_protocol::mbap) + ", which takes " +
-           (is_rtu ? "RTU frames over TCP" : "Modbus TCP") + "; what it sends is for --listen " + other;
+           (is_rtu ? "RTU frames over TCP" : "Modbus TCP") + "; what it sends is for " +
+           option_words(settings_.gate.form, line_option::listen, other);
 }
 
 void served_clients::take(client& one, served_request request)

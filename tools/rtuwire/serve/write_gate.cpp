@@ -47,12 +47,14 @@ gate_verdict judge_request(gate_rules const& rules, std::uint8_t unit, rtuwire::
     std::string const number = "unit " + std::to_string(unit);
     if (unit > last_unit or (unit != 0 and rules.units and rules.units->count(unit) == 0)) {
         return {errc::gateway_path_unavailable, "unit",
-                unit > last_unit ? number + " is the address of no unit of a line: 1 to 247"
-                                 : number + " is not served: " + rules.units_word + " does not name it"};
+                unit > last_unit
+                    ? number + " is the address of no unit of a line: 1 to 247"
+                    : number + " is not served: " + option_words(rules.form, line_option::units) + " does not name it"};
     }
     if (unit == 0 and not rules.may_broadcast) {
         return {errc::gateway_path_unavailable, "broadcast",
-                "unit 0 would reach all units of the line: that takes --allow-broadcast and --write"};
+                "unit 0 would reach all units of the line" +
+                    advice(": that takes ", option_words(rules.form, line_option::broadcast))};
     }
     if (code == 0 or code >= first_exception or (rules.functions and rules.functions->count(code) == 0)) {
         return {errc::illegal_function, "function",
@@ -64,7 +66,7 @@ gate_verdict judge_request(gate_rules const& rules, std::uint8_t unit, rtuwire::
     if (not has_reading_function(pdu) and not rules.may_write) {
         return {errc::illegal_function, "write",
                 number + ": " + words_of_function(pdu) + ", may change something, and only reads pass" +
-                    rules.write_word};
+                    advice("; say ", option_words(rules.form, line_option::write))};
     }
     if (not has_reading_function(pdu) and not writes_places(pdu)) {
         return {errc::illegal_function, "write",

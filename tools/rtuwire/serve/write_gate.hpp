@@ -10,6 +10,8 @@
 
 #include <rtuwire/frames.hpp>
 
+#include "words/option_words.hpp"
+
 namespace tool {
 
 struct gate_rules {
@@ -17,8 +19,7 @@ struct gate_rules {
     std::optional<std::set<std::uint8_t>> functions{}; ///< nothing: all
     bool may_write{false};
     bool may_broadcast{false};
-    std::string units_word{"--units"}; ///< by which a message names what would let a request pass
-    std::string write_word{"; say --write"};
+    option_form form{option_form::of_serve}; ///< by which a message names what would let a request pass
 };
 
 struct gate_verdict {

@@ -20,9 +20,19 @@ struct option_forms {
 
 /// In the order of `line_option`.
 constexpr option_forms forms[]{
-    {"--timeout", true, "timeout"},      {"--echo", true, "echo = true"}, {"--noise", true, ""},
-    {"--no-listen", true, "listen = 0"}, {"--rs485", true, "rs485"},      {"-u", false, "unit"},
-    {"--any-unit", false, ""},           {"sniff --find", true, ""},
+    {"--timeout", true, "timeout"},
+    {"--echo", true, "echo = true"},
+    {"--noise", true, ""},
+    {"--no-listen", true, "listen = 0"},
+    {"--rs485", true, "rs485"},
+    {"-u", false, "unit"},
+    {"--any-unit", false, ""},
+    {"sniff --find", true, ""},
+    {"--listen", true, "listen"},
+    {"--from", true, "from"},
+    {"--units", true, "units"},
+    {"--write", true, ""},
+    {"--allow-broadcast and --write", true, ""},
 };
 
 } // namespace
@@ -35,7 +45,8 @@ std::string option_words(option_form form, line_option which, std::string_view v
                                                                                  : std::string_view{};
     std::string text{name};
     if (not name.empty() and not value.empty()) {
-        text.append(form == option_form::in_file ? " = " : " ").append(value);
+        std::string_view const quote = form == option_form::in_file and which == line_option::listen ? "\"" : "";
+        text.append(form == option_form::in_file ? " = " : " ").append(quote).append(value).append(quote);
     }
     return text;
 }

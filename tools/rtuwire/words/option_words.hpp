@@ -13,7 +13,21 @@ namespace tool {
 /// the gateway.
 enum class option_form : std::uint8_t { typed, of_serve, in_file };
 
-enum class line_option : std::uint8_t { timeout, echo, noise, no_listen, rs485, unit, any_unit, find };
+enum class line_option : std::uint8_t {
+    timeout,
+    echo,
+    noise,
+    no_listen,
+    rs485,
+    unit,
+    any_unit,
+    find,
+    listen, ///< of a line that clients ask, as all that follow
+    from,
+    units,
+    write,
+    broadcast,
+};
 
 /// "--timeout 1.5", in the file "timeout = 1.5", without a value its name; empty where there is no such option, so that no message names it.
 [[nodiscard]] std::string option_words(option_form form, line_option which, std::string_view value = {});
