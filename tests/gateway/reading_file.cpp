@@ -426,6 +426,20 @@ TEST_CASE("a line that answers clients says which units they may read")
     CHECK(folder.read(with_serve("units = \"3\"")).lines[0]->serve->listen.front() == "mbap://127.0.0.1:1502");
     CHECK_FALSE(folder.read(right).lines[0]->serve);
 
+    auto const warns = [&](std::string const& keys) {
+        return std::ranges::any_of(
+            folder.read(with_serve("units = \"3\"\n" + keys)).notes,
+            [](std::string const& note) { return note.find(": say from = ") != std::string::npos; });
+    };
+    for (std::string const place : {"0.0.0.0:1502", "192.168.1.7:1502", "[::]:1502"}) {
+        CHECK(warns("listen = \"mbap://" + place + "\""));
+        CHECK_FALSE(warns("listen = \"mbap://" + place + "\"\nfrom = [\"192.168.1.0/24\"]"));
+    }
+    for (std::string const keys : {"", "listen = \"mbap://127.0.0.1:1503\"", "listen = \"tcp://[::1]:1502\"",
+                                   "listen = \"mbap://localhost:1502\""}) {
+        CHECK_FALSE(warns(keys));
+    }
+
     for (auto const& [keys, why] : std::vector<std::pair<std::string, std::string>>{
              {"", "13:1: units is missing"},
              {"units = \"\"", "14:9: units is empty"},

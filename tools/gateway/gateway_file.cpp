@@ -459,9 +459,14 @@ private:
             }
         }
         refuse_twice(served_places_, to.listen.front(), place_of(*said, "listen"), "a line that listens at");
-        if (auto const why =
-                ended_by([&] { static_cast<void>(serve_settings_in({.line = line.choices, .serve = to})); })) {
+        serve_settings settings;
+        if (auto const why = ended_by([&] { settings = serve_settings_in({.line = line.choices, .serve = to}); })) {
             refuse(said->source(), why->what());
+        }
+        std::string const& host = settings.listen.front().at.host;
+        if (to.from.empty() and host != "localhost" and not is_loopback(host)) {
+            plan_.notes.push_back(line.name + ": whoever reaches " + to.listen.front() +
+                                  " may read there: say from = [\"192.168.1.0/24\"] with the clients that may");
         }
         plan_.notes.push_back(line.name + ": clients at " + to.listen.front() + " may read the units " + to.units +
                               ": where one of them is a drive, that feeds its supervision of the line");
