@@ -50,6 +50,7 @@ broker='' devices='' gateway='' shown=''
 clean_up() {
     for process in $shown $gateway $devices $broker; do
         kill "$process" 2>/dev/null || continue
+        (sleep 1 && kill "$process") >/dev/null 2>&1 & # the first is lost on a process that is not yet the program
         wait "$process" 2>/dev/null || :
     done
     rm -rf "$place"

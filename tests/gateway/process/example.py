@@ -44,9 +44,9 @@ def main(check, program, tool, script):
         # Ctrl-C, in the middle: as typed, to all of the group.
         with start() as process:
             read = ""
-            while "/state" not in read and (line := process.stdout.readline()):
+            while "/state {" not in read and (line := process.stdout.readline()):
                 read += line
-            check("/state" in read, "values are shown", read[-300:])
+            check("/state {" in read, "values are shown", read[-300:])
             os.killpg(process.pid, signal.SIGINT)
             process.communicate(timeout=LIMIT)
         check(soon(lambda: not list(folder.iterdir()), LIMIT), "behind Ctrl-C, too", list(folder.iterdir()))
