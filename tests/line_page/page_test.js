@@ -218,15 +218,20 @@ async function readForeign(browser, bridge, foreign) {
   await page.context().close();
 }
 
-/// A computer that sleeps, or a browser that stops the page's process, asks nothing; the page says so afterwards.
-async function holdUp(browser, page, units) {
-  await connect(page, "units");
+/// Watches registers of the meter, unit 2, of which the last is its frequency.
+async function watchMeter(page, points) {
   await page.fill("#unit", "2");
   await page.selectOption("#device", "sdm630");
-  await page.fill("#points", "frequency");
+  await page.fill("#points", points);
   await page.selectOption("#period", "200");
   await page.click("#watch");
   await hasValue(page, "frequency (unit 2)");
+}
+
+/// A computer that sleeps, or a browser that stops the page's process, asks nothing; the page says so afterwards.
+async function holdUp(browser, page, units) {
+  await connect(page, "units");
+  await watchMeter(page, "frequency");
   const control = await browser.newBrowserCDPSession();
   const { processInfo } = await control.send("SystemInfo.getProcessInfo");
   const renderers = processInfo.filter(({ type }) => type === "renderer").map(({ id }) => id);
@@ -458,12 +463,7 @@ async function openAlone(browser) {
   await page.fill("#last", "3");
   await page.click("#scan");
   await isTold(page, "Scanned: 2 units are known");
-  await page.fill("#unit", "2");
-  await page.selectOption("#device", "sdm630");
-  await page.fill("#points", "voltage_l1, power_l1, frequency");
-  await page.selectOption("#period", "200");
-  await page.click("#watch");
-  await hasValue(page, "frequency (unit 2)");
+  await watchMeter(page, "voltage_l1, power_l1, frequency");
   await wait(1500);
   const isWide = await page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
   assert.equal(isWide, false, "the page is wider than a phone");
