@@ -6,7 +6,6 @@
 #pragma once
 
 #include <rtuwire/altivar/device/atv320.hpp>
-#include <rtuwire/altivar/device/atv320_values.hpp>
 #include <rtuwire/altivar/parameters/family_words.hpp>
 #include <rtuwire/altivar/parameters/parameter.hpp>
 #include <rtuwire/core/version.hpp>
