@@ -7,4 +7,3 @@
 
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/parameters/atv310.hpp>
-#include <rtuwire/altivar/parameters/atv310_menu.hpp>

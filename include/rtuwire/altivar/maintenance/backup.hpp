@@ -15,8 +15,8 @@
 #include <optional>
 
 #include <rtuwire/altivar/maintenance/block_walk.hpp>
+#include <rtuwire/altivar/parameters/parameter.hpp>
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
-#include <rtuwire/altivar/parameters/parameter_role.hpp>
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/result.hpp>

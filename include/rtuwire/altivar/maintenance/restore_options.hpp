@@ -11,7 +11,6 @@
 #include <optional>
 
 #include <rtuwire/altivar/parameters/parameter.hpp>
-#include <rtuwire/altivar/parameters/parameter_role.hpp>
 #include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/literal.hpp>

@@ -10,14 +10,14 @@
 // `rw` is written at any time, `cfg` only at rest, `ro` never. It holds amounts, `in<...>` their unit and step, or one of a
 // list of choices, or bits. Limits and the value as delivered are counts of that step; `{}` is none, or not known. A limit
 // may be another register: "TFR". Behind the name stands only what is special: why it is no ordinary setting, and which
-// register sets the size of its steps.
+// register sets the size of its steps. What it is for a restore: an ordinary setting, one that needs a decision of its own,
+// or nothing that a configuration consists of.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <span>
 
-#include <rtuwire/altivar/parameters/parameter_role.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
@@ -27,6 +27,125 @@
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
+
+/// What a parameter is for a restore and for a comparison.
+enum class parameter_role : std::uint8_t {
+    setting,         ///< an ordinary one
+    macro,           ///< sets many others
+    step_size,       ///< says what the counts of others mean
+    frequency_limit, ///< LSP <= HSP <= TFR at any time
+    motion,          ///< how a motor turns that runs: speeds, ramps, how it is regulated, braked and stopped
+    supervision,     ///< can switch off what stops the motor, its brake and its contactors among it
+    restart,         ///< lets the drive do something by itself, or a fault be reset by an input
+    run_input,       ///< an input that is closed may act at once
+    channel,         ///< says who commands the motor, or where a controller's words go
+    link_timeout,    ///< when the drive stops for want of requests
+    other_link,      ///< the drive's place on another bus
+    link,            ///< its place on this line: once written, it may answer elsewhere
+    read_only,
+    derived,       ///< another form of a setting
+    measured,      ///< a counter that may be written
+    of_this_drive, ///< goes with the device, not with its configuration
+    order,         ///< does something when it is written
+    safety,        ///< of the safety functions, which have tools and a signature of their own
+};
+
+/// Whether a parameter of this role belongs to a configuration, and may be restored at all.
+[[nodiscard]] constexpr bool is_restorable(parameter_role role) noexcept { return role < parameter_role::read_only; }
+
+/// Whether a write of this role changes how a motor turns that runs, at once: what sets its speed or its ramps, the limits
+/// of both, the size of their steps, and their other forms. At rest it is an ordinary setting. What may let a motor turn
+/// that stands has other roles.
+[[nodiscard]] constexpr bool acts_on_running_motor(parameter_role role) noexcept
+{
+    return role == parameter_role::motion or role == parameter_role::frequency_limit or
+           role == parameter_role::step_size or role == parameter_role::derived;
+}
+
+/// What a parameter is for a restore, and why: the end of a sentence that begins with its mnemonic.
+struct row_role {
+    parameter_role role;
+    literal why{};
+};
+
+/// What a row says of itself. An ordinary setting says nothing.
+namespace roles {
+
+inline constexpr row_role ordinary{parameter_role::setting};
+
+// Orders.
+inline constexpr row_role commands{parameter_role::order, "commands the motor"};
+inline constexpr row_role setpoint{parameter_role::order, "is a reference of the motor"};
+inline constexpr row_role recalls{parameter_role::order, "saves, recalls or resets the settings"};
+inline constexpr row_role autotuning{parameter_role::order, "starts an autotune, with current in the motor"};
+inline constexpr row_role drive_restart{parameter_role::order, "restarts the drive"};
+inline constexpr row_role clears{parameter_role::order, "clears counters"};
+inline constexpr row_role loads_set{parameter_role::order, "loads a parameter set"};
+inline constexpr row_role runs_blocks{parameter_role::order, "runs and stops the function blocks"};
+inline constexpr row_role accepts{parameter_role::order, "accepts a wrong configuration"};
+inline constexpr row_role sets_output{parameter_role::order, "switches an output"};
+inline constexpr row_role passed_on{parameter_role::order,
+                                    "is passed on by the scanner, to the command word among others"};
+
+// What belongs to this drive, or to others.
+inline constexpr row_role counter{parameter_role::measured, "counts time"};
+inline constexpr row_role device_identity{parameter_role::of_this_drive, "tells what device it is"};
+inline constexpr row_role cards{parameter_role::of_this_drive, "ties the drive to its cards"};
+inline constexpr row_role another_form{parameter_role::derived, "is LSP, HSP, ACC or DEC in another form"};
+inline constexpr row_role of_safety{parameter_role::safety, "belongs to the safety functions"};
+
+// Settings on which others depend.
+inline constexpr row_role macro{parameter_role::macro, "sets inputs, channels and many others"};
+inline constexpr row_role steps{parameter_role::step_size, "says what the counts of others mean"};
+inline constexpr row_role speed_limit{parameter_role::frequency_limit,
+                                      "limits the speed, and is written so that LSP <= HSP <= TFR"};
+
+// How a motor turns that runs.
+inline constexpr row_role speed{parameter_role::motion, "is a speed of the motor"};
+inline constexpr row_role speed_range{parameter_role::motion, "sets speeds and their limits"};
+inline constexpr row_role skipped{parameter_role::motion, "says which speeds the motor skips, or does not stay at"};
+inline constexpr row_role scaling{parameter_role::motion, "says what reference a signal or a word stands for"};
+inline constexpr row_role ramp{parameter_role::motion, "sets a ramp"};
+inline constexpr row_role stopping{parameter_role::motion, "says how the motor stops"};
+inline constexpr row_role regulation{parameter_role::motion, "belongs to the PI regulator, which sets the speed"};
+inline constexpr row_role pumping{parameter_role::motion, "starts and stops pumps as the flow changes"};
+inline constexpr row_role brake{parameter_role::motion, "belongs to the brake and to hoisting"};
+inline constexpr row_role winding{parameter_role::motion, "winds: it moves the speed up and down"};
+inline constexpr row_role tuning{parameter_role::motion, "tunes how the motor follows its reference"};
+
+// What may switch off what stops a motor.
+inline constexpr row_role link_loss{parameter_role::supervision, "can let the motor run on without its link"};
+inline constexpr row_role reaction{parameter_role::supervision, "can switch off the reaction to a fault"};
+inline constexpr row_role blind{parameter_role::supervision, "can switch off a detection"};
+inline constexpr row_role relay{parameter_role::supervision,
+                                "switches an output at once: a brake, a contactor, whatever hangs on it"};
+inline constexpr row_role stop_input{parameter_role::supervision,
+                                     "can take away an input or a key that stops the motor"};
+
+// What may let a motor turn that stands.
+inline constexpr row_role restarts{parameter_role::restart, "lets the drive start again by itself"};
+inline constexpr row_role catching{parameter_role::restart, "catches a motor that spins"};
+inline constexpr row_role reset_input{parameter_role::restart, "lets an input reset a fault or restart the drive"};
+inline constexpr row_role self_tuning{parameter_role::restart, "lets the drive tune by itself when power comes"};
+inline constexpr row_role wiring{parameter_role::run_input, "says how the terminals command"};
+inline constexpr row_role moves{parameter_role::run_input, "lets an input or a key move the motor"};
+inline constexpr row_role input_use{parameter_role::run_input, "says what an input does, which may be on now"};
+inline constexpr row_role selection{parameter_role::run_input,
+                                    "lets an input choose other settings, or start the function blocks"};
+
+// Who commands.
+inline constexpr row_role commander{parameter_role::channel, "says who commands the motor"};
+inline constexpr row_role references{parameter_role::channel, "says whose reference counts"};
+inline constexpr row_role cyclic_words{parameter_role::channel, "says which registers a controller's words go to"};
+inline constexpr row_role targets{parameter_role::channel,
+                                  "says which registers function blocks and parameter sets write to"};
+
+// The link.
+inline constexpr row_role timeout{parameter_role::link_timeout, "says when the drive stops for want of requests"};
+inline constexpr row_role other_bus{parameter_role::other_link, "is the drive's place on another bus"};
+inline constexpr row_role this_line{parameter_role::link, "is the drive's place on this line"};
+
+} // namespace roles
 
 /// One parameter, as its row.
 struct parameter {
@@ -112,5 +231,6 @@ template <detail::register_value T> [[nodiscard]] consteval parameter row_of(reg
 }
 
 } // namespace altivar
+
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -15,7 +15,6 @@
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/parameters/parameter.hpp>
-#include <rtuwire/altivar/parameters/parameter_role.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/row_table.hpp>
 

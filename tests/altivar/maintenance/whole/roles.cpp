@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Every parameter of every map that can be written was looked at: roles.tsv says what it is.
-#include <rtuwire/altivar/parameters/parameter_role.hpp>
+#include <rtuwire/altivar/parameters/parameter.hpp>
 
 #include <fstream>
 #include <map>
