@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/server/response_frame.hpp>
+#include <rtuwire/server/respond.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/response.hpp>
 

@@ -11,7 +11,7 @@
 #include "../compile/codes.hpp"
 
 #include <rtuwire/core/crc16.hpp>
-#include <rtuwire/server/response_frame.hpp>
+#include <rtuwire/server/respond.hpp>
 #include <rtuwire/server/typed_bank.hpp>
 
 namespace operations {

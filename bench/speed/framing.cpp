@@ -8,7 +8,7 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/rtu/framer.hpp>
-#include <rtuwire/server/response_frame.hpp>
+#include <rtuwire/server/respond.hpp>
 #include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;

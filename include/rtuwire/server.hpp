@@ -10,7 +10,7 @@
 #include <rtuwire/server/blocking.hpp>
 #include <rtuwire/server/hooks.hpp>
 #include <rtuwire/server/identification.hpp>
-#include <rtuwire/server/response_frame.hpp>
+#include <rtuwire/server/respond.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/server/units.hpp>

@@ -14,7 +14,7 @@
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/server/banks.hpp>
-#include <rtuwire/server/response_frame.hpp>
+#include <rtuwire/server/respond.hpp>
 #include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;

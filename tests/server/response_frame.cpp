@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A frame in, a frame out, in one place.
-#include <rtuwire/server/response_frame.hpp>
+#include <rtuwire/server/respond.hpp>
 
 #include <array>
 

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include <rtuwire/server/response_frame.hpp>
+#include <rtuwire/server/respond.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::detail;

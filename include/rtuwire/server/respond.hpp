@@ -7,7 +7,7 @@
 //
 // From `execute` a request goes to `respond_to`, which knows whose it is: the bank's own functions, 08, 43, the five that
 // access registers (`respond_to_access`, one way for all, since one piece of code is the smallest), or one that has its
-// server's half in its own file (`respond_by_own`).
+// server's half in its own file (`respond_by_own`). `response_frame` is the smallest server, of whole frames.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,7 @@
 #include <rtuwire/server/decoded_request.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
+#include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
@@ -26,6 +27,7 @@
 #include <rtuwire/wire/serial_line/fifo_queue.hpp>
 #include <rtuwire/wire/serial_line/file_records.hpp>
 #include <rtuwire/wire/serial_line/unit_report.hpp>
+#include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
@@ -390,6 +392,28 @@ template <typename Functions = detail::register_functions, typename Bank>
 {
     loopback_only line;
     return respond<Functions>(request_pdu, bank, profile, out, line);
+}
+
+/// Answers the request in the first `size` bytes of `place`, which has at least 256. The response is written over it;
+/// empty where none is due: another unit, a broadcast, a damaged frame. For firmware that has whole frames already, from a
+/// receiver that detects the line's silence and a DMA channel. A request to this unit cannot be told here from another
+/// unit's response that looks like it, and late responses are not dropped: `server` does both.
+template <typename Functions = detail::register_functions, typename Bank, typename Diagnostics>
+[[nodiscard]] constexpr byte_span response_frame(byte_span place, std::size_t size, unit_id unit, Bank& bank,
+                                                 server_profile const& profile, Diagnostics& line) noexcept
+{
+    bool const is_broadcast = detail::to_u8(place[0]) == 0;
+    bool const is_meant = is_broadcast or detail::to_u8(place[0]) == unit.byte();
+    if (not is_meant or check_frame(place.first(size)) != errc::none) {
+        return {};
+    }
+    detail::request_head const asked{static_cast<function_code>(detail::to_u8(place[1])), is_broadcast};
+    if (not asked.has_effect<Functions>() or detail::to_u8(asked.function) >= detail::exception_bit) {
+        return {};
+    }
+    detail::pdu_buffer pdu{place.subspan(1).first<max_pdu_size>(), size - detail::adu_overhead};
+    static_cast<void>(detail::execute<Functions>(asked.function, pdu, bank, profile, line));
+    return is_broadcast or pdu.size == 0 ? byte_span{} : detail::append_crc(place, pdu.size);
 }
 
 } // namespace RTUWIRE_BUILD
