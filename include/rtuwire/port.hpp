@@ -8,13 +8,14 @@
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/host_lookup.hpp>
-#include <rtuwire/port/host_serial.hpp>
 #include <rtuwire/port/mbap.hpp>
 #include <rtuwire/port/mbap_listener.hpp>
 #include <rtuwire/port/mbap_stream.hpp>
+#include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
 #include <rtuwire/port/serial_settings.hpp>
 #include <rtuwire/port/tcp_acceptor.hpp>
 #include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/port/transceiver.hpp>
+#include <rtuwire/port/win32_serial.hpp>
 #include <rtuwire/wire/unit_id.hpp>

@@ -4,8 +4,9 @@
 // A serial device of a POSIX host: opened exclusively, set up for Modbus, read and written with deadlines.
 // Reports which bytes arrived damaged, as the terminal marks them (termios, PARMRK): FF 00 x is a byte x with a parity or
 // framing error, FF 00 00 also a break, and FF FF is an undamaged byte FF. May let `read` itself wait for bytes by the
-// terminal's own timer (VMIN 0, VTIME): one system call where a poll and a read are two. Every failure is an errc for programs and a
-// sentence with the device's name for people.
+// terminal's own timer (VMIN 0, VTIME): one system call where a poll and a read are two. What opening changed is undone in
+// whichever way it closes: the kernel keeps the flag of TIOCEXCL as long as any process has the device open. Every failure is
+// an errc for programs and a sentence with the device's name for people.
 #pragma once
 
 #include <array>
@@ -20,15 +21,17 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
-#include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/serial_settings.hpp>
 #include <rtuwire/port/terminal.hpp>
+#include <rtuwire/port/transceiver.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
 #ifndef _WIN32
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
@@ -37,6 +40,90 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 
 namespace detail {
+
+/// The descriptor of a serial device, and what was changed on that device. Can be moved. When it is closed,
+/// assigned to or destroyed, the device is unlocked, and has its old settings again, those of the line unless
+/// `keep_settings` was called. A process that is killed undoes nothing: a device that another process has open then stays
+/// locked for all users but root.
+class exclusive_device {
+public:
+    exclusive_device() noexcept = default;
+    explicit exclusive_device(descriptor opened) noexcept : descriptor_{std::move(opened)} {}
+    exclusive_device(exclusive_device&& other) noexcept
+        : descriptor_{std::move(other.descriptor_)}, before_{other.before_}, transceiver_{other.transceiver_},
+          is_locked_{std::exchange(other.is_locked_, false)}, restores_{other.restores_}
+    {
+        other.transceiver_.release();
+    }
+    exclusive_device& operator=(exclusive_device&& other) noexcept
+    {
+        if (this != &other) {
+            close();
+            descriptor_ = std::move(other.descriptor_);
+            before_ = other.before_;
+            transceiver_ = other.transceiver_;
+            other.transceiver_.release();
+            is_locked_ = std::exchange(other.is_locked_, false);
+            restores_ = other.restores_;
+        }
+        return *this;
+    }
+    ~exclusive_device() { close(); }
+
+    /// Keeps out programs that ask for a lock (flock) and those of users other than root that do not
+    /// (TIOCEXCL). Errors: `device_in_use` and the others of `device_error`.
+    result<void> lock() noexcept
+    {
+        if (::flock(number(), LOCK_EX | LOCK_NB) != 0) {
+            return device_error(errno);
+        }
+        is_locked_ = true;
+        restores_ = before_.read(driver_call{number()}, number());
+        if (::ioctl(number(), TIOCEXCL) != 0) {
+            return device_error(errno);
+        }
+        return {};
+    }
+
+    /// Lets the kernel switch the transceiver as it is asked to, until the device is closed. `device_setting_refused`, and
+    /// why, where it does not.
+    result<void> set_transceiver(rs485_mode mode, transceiver_settings const& asked, std::string& why)
+    {
+        return transceiver_.set(driver_call{number()}, mode, asked, why);
+    }
+
+    /// The settings of the line that the device has now stay when it closes.
+    void keep_settings() noexcept { restores_ = false; }
+
+    void close() noexcept
+    {
+        if (is_locked_) {
+            is_locked_ = false;
+            if (transceiver_.is_changed()) {
+                ::tcdrain(number()); // a frame on its way still needs it
+                transceiver_.restore(driver_call{number()});
+            }
+            if (restores_) {
+                before_.put_back(driver_call{number()}, number());
+            }
+            // The flag first: once the lock is gone, the next owner may have set it.
+            static_cast<void>(::ioctl(number(), TIOCNXCL));
+            static_cast<void>(::flock(number(), LOCK_UN));
+        }
+        descriptor_.close();
+    }
+
+    [[nodiscard]] bool is_open() const noexcept { return descriptor_.is_open(); }
+    [[nodiscard]] int number() const noexcept { return descriptor_.number(); }
+    [[nodiscard]] descriptor const& line() const noexcept { return descriptor_; }
+
+private:
+    descriptor descriptor_{};
+    line_before before_{};
+    transceiver_control transceiver_{};
+    bool is_locked_{false};
+    bool restores_{false};
+};
 
 /// Removes the marks from a stream of bytes, in chunks of any size.
 class error_marks {
@@ -322,6 +409,9 @@ private:
     std::string device_;
     std::string failure_;
 };
+
+/// A serial device of this system, by one name on all.
+using host_serial = posix_serial;
 
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire

@@ -404,6 +404,9 @@ private:
     std::string failure_{};
 };
 
+/// A serial device of this system, by one name on all.
+using host_serial = win32_serial;
+
 } // namespace RTUWIRE_BUILD
 } // namespace rtuwire
 
