@@ -7,6 +7,6 @@
 #include <rtuwire/sim/bench.hpp>
 #include <rtuwire/sim/drive/unit.hpp>
 #include <rtuwire/sim/line/line.hpp>
-#include <rtuwire/sim/line/random_source.hpp>
+#include <rtuwire/sim/line/line_faults.hpp>
 #include <rtuwire/sim/line/usb_adapter.hpp>
 #include <rtuwire/wire/errc_name.hpp>

@@ -10,7 +10,7 @@
 
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/rtu/line.hpp>
-#include <rtuwire/sim/line/random_source.hpp>
+#include <rtuwire/sim/line/line_faults.hpp>
 
 namespace rtuwire::lives {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <rtuwire/server/server.hpp>
-#include <rtuwire/sim/line/random_source.hpp>
+#include <rtuwire/sim/line/line_faults.hpp>
 
 #include "records.hpp"
 

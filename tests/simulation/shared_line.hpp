@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include <rtuwire/sim/line/random_source.hpp>
+#include <rtuwire/sim/line/line_faults.hpp>
 
 #include "frames.hpp"
 

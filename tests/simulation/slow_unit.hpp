@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <deque>
 
-#include <rtuwire/sim/line/random_source.hpp>
+#include <rtuwire/sim/line/line_faults.hpp>
 
 #include "setting.hpp"
 #include "shared_line.hpp"

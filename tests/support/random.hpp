@@ -4,7 +4,7 @@
 #pragma once
 
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/sim/line/random_source.hpp>
+#include <rtuwire/sim/line/line_faults.hpp>
 
 namespace rtuwire::test {
 

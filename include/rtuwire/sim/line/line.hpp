@@ -16,7 +16,6 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/sim/line/line_faults.hpp>
-#include <rtuwire/sim/line/random_source.hpp>
 
 namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
