@@ -406,13 +406,21 @@ def noted(check, program):
 
 
 def carried(check, program):
-    """A loopback that carries a frame for another unit."""
+    """A loopback that carries a frame, of whatever function and for whatever unit."""
     with PlainUnits(1) as line, Served(program, line.name, "--units", "1", line=PATIENT) as served, Asker(served.number) as client:
         inner = with_crc(bytes([7]) + command(15))
-        for pdu in (bytes([8, 0, 0]) + inner, bytes([8, 0, 0, 0]) + inner * 4 + b"\0"):
+        behind = [bytes([8, 0, 0]) + inner, bytes([8, 0, 0, 0]) + inner * 4 + b"\0"]
+        # Public ones, reads among them, in another form than their own, of a maker, and what is no function; to all, units and reserved.
+        for each in ("07030000 0001", "0707", "f80800010000", "07100000", "0712", "0741ffff", "075a0002", "0064", "078006", "07ff0001", "0700", "ff0600000001"):
+            behind += [bytes([8, 0, 0]) + filler + with_crc(bytes.fromhex(each)) for filler in (b"", b"\xaa", bytes(100))]
+        # 01 08 00 00 and this bring a CRC back to its beginning: the CRC of the whole is that of its rest.
+        back = next(each for each in (bytes(divmod(word, 256)) for word in range(0x10000)) if with_crc(bytes([1, 8, 0, 0]) + each)[-2:] == b"\xff\xff")
+        behind += [bytes([8, 0, 0]) + back + bytes.fromhex("0741ffff")]
+        for pdu in (each if len(each) % 2 == 1 else each + b"\0" for each in behind):  # two bytes make a word
             check(client.ask(1, pdu) == b"\x88\1", "01 to a loopback with a frame in it", pdu.hex(" "))
         check(not line.asked(8), "and nothing on the line", line.asked(8))
-        check(client.ask(1, bytes.fromhex("0800001234")) == bytes.fromhex("0800001234"), "another loopback passes")
+        for pdu in (bytes.fromhex("0800001234"), bytes([8, 0, 0]) + bytes(200)):
+            check(client.ask(1, pdu) == pdu, "another loopback passes", pdu.hex(" "))
 
 
 def unknown(check, program):

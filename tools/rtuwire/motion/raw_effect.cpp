@@ -179,6 +179,28 @@ bool may_change_something(byte_view pdu, functions_within which)
                                                                   : is_as_specified(pdu) and not only_reads(pdu));
 }
 
+/// Whether a unit says back what it was sent, and does nothing else.
+bool is_loopback(byte_view pdu)
+{
+    return code_of(pdu) == function_code::diagnostics and pdu.size() > 2 and word_at(pdu, 1) == 0;
+}
+
+/// The first frame with a right CRC in these bytes, from a byte on, whose PDU fits; empty where there is none.
+template <typename Fits> byte_view frame_in(byte_view bytes, std::size_t from, Fits fits)
+{
+    for (std::size_t at = from; at < bytes.size(); ++at) {
+        rtuwire::running_crc16<> crc;
+        for (std::size_t end = at; end < bytes.size();) {
+            crc.add(bytes[end++]);
+            byte_view const one = bytes.subspan(at, end - at);
+            if (one.size() >= rtuwire::min_adu_size and crc.value() == 0 and fits(one.subspan(1, one.size() - 3))) {
+                return one;
+            }
+        }
+    }
+    return {};
+}
+
 /// The values that a request writes, checked as `write` checks them.
 std::vector<value_to_write> checked_places(byte_view pdu, open_line& line, named_unit const& unit,
                                            write_rules const& rules, choices const& chosen)
@@ -242,29 +264,23 @@ bool has_reading_function(byte_view pdu)
                                             read_input_registers, read_exception_status, get_comm_event_counter,
                                             get_comm_event_log,   report_server_id,      read_file_record,
                                             read_fifo_queue};
-    bool const says_back = code_of(pdu) == diagnostics and pdu.size() > 2 and word_at(pdu, 1) == 0;
     bool const identifies = code_of(pdu) == encapsulated_interface and pdu.size() > 1 and pdu[1] == std::byte{14};
-    return reading.contains(code_of(pdu)) or says_back or identifies;
+    return reading.contains(code_of(pdu)) or is_loopback(pdu) or identifies;
 }
 
 bool only_reads(byte_view pdu) { return has_reading_function(pdu) and is_as_specified(pdu); }
 
 byte_view changing_frame_in(byte_view bytes, functions_within which, std::size_t from)
 {
-    for (std::size_t at = from; at + rtuwire::min_adu_size <= bytes.size(); ++at) {
-        for (std::size_t size = rtuwire::min_adu_size; at + size <= bytes.size(); ++size) {
-            byte_view const one = bytes.subspan(at, size);
-            if (may_change_something(one.subspan(1, size - 3), which) and rtuwire::crc16(one) == 0) {
-                return one;
-            }
-        }
-    }
-    return {};
+    return frame_in(bytes, from, [which](byte_view pdu) { return may_change_something(pdu, which); });
 }
 
 void refuse_frame_within(byte_view frame, functions_within which)
 {
-    if (byte_view const one = changing_frame_in(frame, which, 1); not one.empty()) {
+    byte_view const one = is_loopback(frame.subspan(1, frame.size() - 3))
+                              ? frame_in(frame, 1, [](byte_view) { return true; })
+                              : changing_frame_in(frame, which, 1);
+    if (not one.empty()) {
         refuse_for_safety("its bytes, " + hex_of(frame) + ", hold a whole frame, " + hex_of(one) +
                           ": a unit that ends a frame by its length takes that for a request of its own");
     }

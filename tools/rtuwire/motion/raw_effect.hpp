@@ -31,7 +31,7 @@ enum class functions_within : std::uint8_t { public_ones, any };
 [[nodiscard]] rtuwire::byte_view changing_frame_in(rtuwire::byte_view bytes, functions_within which, std::size_t from);
 
 /// Refuses a frame, as it is sent, in whose bytes stands another one that does more than read, to whatever unit: who ends a
-/// frame by its length takes the rest for that.
+/// frame by its length takes the rest for that. A loopback (08/00), whose data are anybody's, may hold none at all.
 void refuse_frame_within(rtuwire::byte_view frame, functions_within which);
 
 /// "function 06, write single register"; of one that is not public, and that a decimal number may have meant, with that.
