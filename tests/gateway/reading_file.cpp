@@ -448,6 +448,10 @@ TEST_CASE("a line that answers clients says which units they may read")
              {"units = \"3\"\nwrites = true", "15:1: "},
              {"units = \"300\"", "13:1: "},
              {"units = \"3\"\nlisten = \"nowhere\"", "13:1: listen: "},
+             {"units = \"3\"\nlisten = \"mbap://meter.example.org:1502\"",
+              "13:1: listen: port mbap://meter.example.org:1502: who listens names an address of this machine"},
+             {"units = \"3\"\nlisten = \"mbap://127.0.0.1\"",
+              "13:1: listen: port mbap://127.0.0.1: no port is named; it is like mbap://127.0.0.1:1502"},
              {"units = \"3\"\nfrom = \"10.0.0.1\"", "15:8: from is a list"},
              {"units = \"3\"\nfrom = [\"10.0.0.1/8\"]", "13:1: from 10.0.0.1/8"}}) {
         std::string const found = folder.refusal(with_serve(keys));

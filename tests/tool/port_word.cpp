@@ -104,6 +104,39 @@ TEST_CASE("a server of Modbus TCP, whose port is 502 where none is named")
     CHECK(has(refused("mbap://:502").sentence, "it is like mbap://host"));
 }
 
+TEST_CASE("who listens names an address of this machine by its number, and a port")
+{
+    auto const listens = [](std::string const& word) { return read_listen_word(word).port; };
+    CHECK(listens("mbap://127.0.0.1:1502") == port_description{mbap_address{"127.0.0.1", 1502}});
+    CHECK(listens("mbap://0.0.0.0:502") == port_description{mbap_address{"0.0.0.0", 502}});
+    CHECK(listens("tcp://[::]:4001") == port_description{tcp_address{"::", 4001}});
+    CHECK(listens("tcp://[fe80::1%eth0]:0") == port_description{tcp_address{"fe80::1%eth0", 0}});
+    CHECK(listens("mbap://localhost:1502") == port_description{mbap_address{"127.0.0.1", 1502}});
+    CHECK(listens("tcp://LOCALHOST:4001") == port_description{tcp_address{"127.0.0.1", 4001}});
+    auto const refused_to_listen = [](std::string const& word) {
+        auto const found = read_listen_word(word);
+        INFO(word);
+        REQUIRE(found.refused);
+        CHECK(has(found.refused->sentence, word));
+        CHECK((found.refused->nearest.empty() or not read_listen_word(found.refused->nearest).refused));
+        return said{found.refused->nearest, found.refused->sentence};
+    };
+    for (std::string const host : {"meter", "plc-7.example", "127.1", "1.2.3.4.5", "256.0.0.1", "localhost.", "*"}) {
+        for (std::string const start : {"mbap://", "tcp://"}) {
+            auto const found = refused_to_listen(start + host + ":1502");
+            CHECK(has(found.sentence, "an address of this machine"));
+            CHECK(found.nearest == (host == "*" ? start + "0.0.0.0:1502" : ""));
+        }
+    }
+    CHECK(refused_to_listen("mbap://127.0.0.1").nearest == "mbap://127.0.0.1:1502");
+    CHECK(refused_to_listen("mbap://localhost").nearest == "mbap://localhost:1502");
+    CHECK(refused_to_listen("tcp://127.0.0.1").nearest == "tcp://127.0.0.1:4001");
+    CHECK(refused_to_listen("mbap://[::1]").nearest == "mbap://[::1]:1502");
+    CHECK(has(refused_to_listen("mbap://*").sentence, "no port is named; it is like mbap://127.0.0.1:1502"));
+    CHECK(has(refused_to_listen("tcp://127.0.0.1").sentence, "no port is named; it is like tcp://127.0.0.1:4001"));
+    CHECK(has(refused_to_listen("127.0.0.1:1502").sentence, "an address to listen at is like"));
+}
+
 TEST_CASE("simulated drives with their units")
 {
     using choice = simulated_drives_choice;

@@ -464,7 +464,7 @@ private:
             refuse(said->source(), why->what());
         }
         std::string const& host = settings.listen.front().at.host;
-        if (to.from.empty() and host != "localhost" and not is_loopback(host)) {
+        if (to.from.empty() and not is_loopback(host)) {
             plan_.notes.push_back(line.name + ": whoever reaches " + to.listen.front() +
                                   " may read there: say from = [\"192.168.1.0/24\"] with the clients that may");
         }

@@ -50,6 +50,12 @@ std::size_t colon_of(std::string_view place) noexcept
     return place.rfind(':');
 }
 
+bool is_ipv4(std::string const& host)
+{
+    in_addr place{};
+    return ::inet_pton(AF_INET, host.c_str(), &place) == 1;
+}
+
 /// "::1", "fe80::1%eth0".
 bool is_ipv6(std::string_view host)
 {
@@ -63,27 +69,41 @@ std::string host_in(std::string_view host)
     return std::string{has_brackets ? host.substr(1, host.size() - 2) : host};
 }
 
-/// A host and the port of its server, which is `least` or more; or what is wrong with them. Behind `start` no port stands for
-/// `usual`, where there is one.
-meaning read_host(std::string const& start, std::string_view place, std::optional<std::uint32_t> usual,
-                  std::uint32_t least)
+/// How an address begins, and what holds of it.
+struct address_form {
+    std::string_view start;             ///< "tcp://"
+    std::string_view example;           ///< a whole one
+    std::string_view likely;            ///< the port that a word without one may mean
+    std::optional<std::uint32_t> usual; ///< or the port that it has then
+    bool is_here{false};                ///< somebody listens there: port 0 is any that is free
+};
+
+constexpr address_form tcp_server{"tcp://", "tcp://host:4001", ":4001", std::nullopt};
+constexpr address_form mbap_server{"mbap://", "mbap://host", "", mbap_address{}.port};
+constexpr address_form tcp_here{"tcp://", "tcp://127.0.0.1:4001", ":4001", std::nullopt, true};
+constexpr address_form mbap_here{"mbap://", "mbap://127.0.0.1:1502", ":1502", std::nullopt, true};
+
+/// A host and its port; or what is wrong with them.
+meaning read_host(std::string_view place, address_form const& form)
 {
-    std::string const example = usual ? "mbap://host" : "tcp://host:4001";
-    std::string const likely = usual ? "" : ":4001";
+    std::string const start{form.start};
+    std::string const likely{form.likely};
+    unsigned const least = form.is_here ? 0 : 1;
     if (place.find('/') != place.npos) {
         return wrong("nothing stands behind the port of a host", start + std::string{place.substr(0, place.find('/'))});
     }
     std::size_t const colon = colon_of(place);
     if (colon == 0 or host_in(place.substr(0, colon)).empty()) {
-        return wrong("no host is named; it is like " + example);
+        return wrong("no host is named; it is like " + std::string{form.example});
     }
-    if (colon == place.npos and not usual) {
-        return wrong("no port is named, as the serial device server has it set: often 4001, 502 or 23",
+    if (colon == place.npos and not form.usual) {
+        return wrong(form.is_here ? "no port is named; it is like " + std::string{form.example}
+                                  : "no port is named, as the serial device server has it set: often 4001, 502 or 23",
                      start + std::string{place} + likely);
     }
     std::string_view const host = place.substr(0, colon);
     std::string_view const behind = colon == place.npos ? std::string_view{} : place.substr(colon + 1);
-    auto const port = colon == place.npos ? usual : number_in(std::string{behind});
+    auto const port = colon == place.npos ? form.usual : number_in(std::string{behind});
     if (host.front() != '[' and host.find(':') != host.npos) {
         bool const has_port = port and is_ipv6(host);
         std::string const number = "[" + std::string{has_port ? host : place} + "]";
@@ -97,7 +117,16 @@ meaning read_host(std::string const& start, std::string_view place, std::optiona
                      start + std::string{host} + likely);
     }
     auto const number = static_cast<std::uint16_t>(*port);
-    return usual ? found(mbap_address{host_in(host), number}) : found(tcp_address{host_in(host), number});
+    std::string name = host_in(host);
+    if (form.is_here and is_same_word(name, "localhost")) {
+        name = "127.0.0.1";
+    } else if (form.is_here and not is_ipv4(name) and not is_ipv6(name)) {
+        // To look a name up takes time that whoever listens needs for others, and what is found may be another machine.
+        return wrong("who listens names an address of this machine, 127.0.0.1 for itself alone, 0.0.0.0 for all that "
+                     "reach it; no name is looked up",
+                     name == "*" ? start + "0.0.0.0:" + std::to_string(number) : std::string{});
+    }
+    return form.start == mbap_server.start ? found(mbap_address{name, number}) : found(tcp_address{name, number});
 }
 
 /// A word with the wrong start, or the name of something that is not there.
@@ -158,27 +187,26 @@ meaning read_drives(std::string_view words)
                               : wrong(drives.why, drives.nearest.empty() ? "" : "sim:" + drives.nearest);
 }
 
-/// Of a server, or of who listens; nothing where the word is of another kind.
-std::optional<meaning> read_address(std::string_view word, std::uint32_t least)
+/// Nothing where the word is of neither form.
+std::optional<meaning> read_address(std::string_view word, address_form const& tcp, address_form const& mbap)
 {
-    if (starts_with_word(word, "tcp://")) {
-        return read_host("tcp://", word.substr(6), std::nullopt, least);
-    }
-    if (starts_with_word(word, "mbap://")) {
-        return read_host("mbap://", word.substr(7), mbap_address{}.port, least);
+    for (address_form const* const each : {&tcp, &mbap}) {
+        if (starts_with_word(word, each->start)) {
+            return read_host(word.substr(each->start.size()), *each);
+        }
     }
     return std::nullopt;
 }
 
 meaning read_listening(std::string_view word)
 {
-    auto const address = read_address(word, 0);
+    auto const address = read_address(word, tcp_here, mbap_here);
     return address ? *address : wrong("an address to listen at is like mbap://127.0.0.1:1502 or tcp://127.0.0.1:4001");
 }
 
 meaning read(std::string_view word)
 {
-    if (auto const address = read_address(word, 1)) {
+    if (auto const address = read_address(word, tcp_server, mbap_server)) {
         return *address;
     }
     if (starts_with_word(word, "sim:")) {

@@ -71,7 +71,8 @@ struct port_choice {
 
 [[nodiscard]] port_choice read_port_word(std::string_view word);
 
-/// The same of an address to listen at, tcp or mbap, where port 0 is any that is free.
+/// The same of an address of this machine to listen at, tcp or mbap, by its number; `localhost` is 127.0.0.1. It names its port,
+/// of which 0 is any that is free.
 [[nodiscard]] port_choice read_listen_word(std::string_view word);
 
 } // namespace tool
