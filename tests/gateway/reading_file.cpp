@@ -434,6 +434,10 @@ TEST_CASE("a line that answers clients says which units they may read")
     for (std::string const place : {"0.0.0.0:1502", "192.168.1.7:1502", "[::]:1502"}) {
         CHECK(warns("listen = \"mbap://" + place + "\""));
         CHECK_FALSE(warns("listen = \"mbap://" + place + "\"\nfrom = [\"192.168.1.0/24\"]"));
+        for (std::string const all :
+             {"\"0.0.0.0/0\"", "\"::/0\"", "\"10.0.0.7\", \"0.0.0.0/0\"", "\"::ffff:0:0/96\""}) {
+            CHECK(warns("listen = \"mbap://" + place + "\"\nfrom = [" + all + "]"));
+        }
     }
     for (std::string const keys : {"", "listen = \"mbap://127.0.0.1:1503\"", "listen = \"tcp://[::1]:1502\"",
                                    "listen = \"mbap://localhost:1502\""}) {
@@ -446,23 +450,55 @@ TEST_CASE("a line that answers clients says which units they may read")
              {"units = 3", "14:9: "},
              {"units = \"3\"\nwrite = true", "15:9: clients of a gateway's line read"},
              {"units = \"3\"\nwrites = true", "15:1: "},
-             {"units = \"300\"", "13:1: "},
-             {"units = \"3\"\nlisten = \"nowhere\"", "13:1: listen: "},
+             {"units = \"300\"", "14:9: units: '300' in '300' is no address of a unit: 1 to 247\n"},
+             {"units = \"0,3\"", "14:9: units: '0' in '0,3' is no address of a unit: 1 to 247\n"},
+             {"units = \"9-3\"", "14:9: units: '9-3' in '9-3' is neither"},
+             {"units = \"3\"\nlisten = \"nowhere\"", "15:10: listen: "},
              {"units = \"3\"\nlisten = \"mbap://meter.example.org:1502\"",
-              "13:1: listen: port mbap://meter.example.org:1502: who listens names an address of this machine"},
+              "15:10: listen: port mbap://meter.example.org:1502: who listens names an address of this machine"},
              {"units = \"3\"\nlisten = \"mbap://127.0.0.1\"",
-              "13:1: listen: port mbap://127.0.0.1: no port is named; it is like mbap://127.0.0.1:1502"},
+              "15:10: listen: port mbap://127.0.0.1: no port is named; it is like mbap://127.0.0.1:1502"},
+             {"units = \"3\"\nlisten = \"mbap://localhost:0\"", "15:10: listen: port 0 is any that is free"},
              {"units = \"3\"\nfrom = \"10.0.0.1\"", "15:8: from is a list"},
-             {"units = \"3\"\nfrom = [\"10.0.0.1/8\"]", "13:1: from 10.0.0.1/8"}}) {
-        std::string const found = folder.refusal(with_serve(keys));
+             {"units = \"3\"\nfrom = [\"10.0.0.0/8\",\n\"10.0.0.1/8\"]", "16:1: from 10.0.0.1/8"}}) {
+        std::string const found = folder.refusal(with_serve(keys)) + '\n';
         CAPTURE(keys, found);
         CHECK(found.starts_with("gateway.toml:" + why));
     }
-    std::string const twice = with_serve("units = \"3\"") +
-                              "[[line]]\nname = \"line2\"\nport = \"sim:atv320:8\"\n[line.serve]\nunits = \"3\"\n"
-                              "[[line.device]]\nname = \"m\"\nunit = 3\nfile = \"meter.toml\"\n";
-    CHECK(folder.refusal(twice).find("a line that listens at 'mbap://127.0.0.1:1502' stands in line 13, too") !=
-          std::string::npos);
+    CHECK(folder.refusal(with(right, "rs485 = false\n", "serve = 3\n")) ==
+          "gateway.toml:13:9: serve is a table: its keys stand in lines behind [line.serve]");
+}
+
+TEST_CASE("two lines listen at two places")
+{
+    file_folder const folder;
+    std::string const right = with(whole, "settings = [\"ITH\"]\n", "");
+    auto const two = [&right](std::string const& one, std::string const& other) {
+        return with(right, "rs485 = false\n", "[line.serve]\nunits = \"3\"\nlisten = \"" + one + "\"\n") +
+               "[[line]]\nname = \"line2\"\nport = \"sim:atv320:8\"\n[line.serve]\nunits = \"3\"\nlisten = \"" + other +
+               "\"\n[[line.device]]\nname = \"m\"\nunit = 3\nfile = \"meter.toml\"\n";
+    };
+    std::pair<std::string, std::string> const same[]{{"mbap://127.0.0.1:1502", "mbap://127.0.0.1:1502"},
+                                                     {"mbap://127.0.0.1:1502", "tcp://localhost:1502"},
+                                                     {"mbap://0.0.0.0:1502", "mbap://127.0.0.1:1502"},
+                                                     {"mbap://192.168.1.7:1502", "mbap://0.0.0.0:1502"},
+                                                     {"mbap://[::]:1502", "mbap://127.0.0.1:1502"},
+                                                     {"mbap://[::]:1502", "mbap://0.0.0.0:1502"},
+                                                     {"mbap://[::1]:1502", "mbap://[0:0:0:0:0:0:0:1]:1502"},
+                                                     {"mbap://[::ffff:127.0.0.1]:1502", "tcp://127.0.0.1:1502"}};
+    for (auto const& [one, other] : same) {
+        std::string const found = folder.refusal(two(one, other));
+        CAPTURE(one, other, found);
+        CHECK(found.find(": listen: the line 'line1' listens at " + one + " already: " + other + " is ") != found.npos);
+    }
+    std::pair<std::string, std::string> const others[]{{"mbap://127.0.0.1:1502", "mbap://127.0.0.1:1503"},
+                                                       {"mbap://127.0.0.1:1502", "mbap://192.168.1.7:1502"},
+                                                       {"mbap://0.0.0.0:1502", "mbap://[::1]:1502"},
+                                                       {"mbap://[fe80::1%eth0]:1502", "mbap://[fe80::1%eth1]:1502"}};
+    for (auto const& [one, other] : others) {
+        CAPTURE(one, other);
+        CHECK_NOTHROW(folder.read(two(one, other)));
+    }
 }
 
 TEST_CASE("where a file has no time-out it is one that a change is told with in time")

@@ -78,6 +78,17 @@ bool is_host(std::string const& text)
     return has_letter and text.size() <= 253 and std::ranges::all_of(labels, is_label);
 }
 
+/// Whether who listens at one of these addresses takes connections to the other, too. 0.0.0.0 and :: are all.
+bool are_one_place(std::string const& one, std::string const& other)
+{
+    auto const takes = [](std::string const& host, std::string const& at) {
+        bool const is_all = host == "0.0.0.0" or host == "::";
+        auto const range = client_range::of(is_all ? host + "/0" : host);
+        return host == at or (range and range->has(at));
+    };
+    return takes(one, other) or takes(other, one);
+}
+
 /// What a label is as a part of a topic: "ETA.fault" is ETA_fault.
 std::string topic_word(std::string text)
 {
@@ -394,7 +405,7 @@ private:
         check_port(from, line->choices.port);
         set_timeout(line->choices);
         read_serve(from, *line);
-        toml::array const* const devices = tables_in(from, "device", most_devices);
+        toml::array const* const devices = tables_in(from, "line.device", most_devices);
         if (devices == nullptr) {
             refuse(from.source(), "the line '" + line->name +
                                       "' has no devices: each is a table that begins with "
@@ -430,7 +441,7 @@ private:
 
     void read_serve(toml::table const& from, line_plan& line)
     {
-        toml::table const* const said = table_in(from, "serve");
+        toml::table const* const said = table_in(from, "line.serve");
         if (said == nullptr) {
             return;
         }
@@ -449,6 +460,15 @@ private:
             refuse(said->source(), "units is missing: which of them clients may read, units = \"1-4,7\"; each request "
                                    "feeds a drive's supervision of the line");
         }
+        auto const settings_of = [&](toml::source_region const& where, serve_choices const& part) {
+            serve_settings settings;
+            if (auto const why =
+                    ended_by([&] { settings = serve_settings_in({.line = line.choices, .serve = part}); })) {
+                refuse(where, why->what());
+            }
+            return settings;
+        };
+        static_cast<void>(settings_of(place_of(*said, "units"), {.units = to.units}));
         if (toml::node const* const ranges = said->get("from")) {
             toml::array const* const list = ranges->as_array();
             if (list == nullptr or list->empty() or not list->is_homogeneous<std::string>()) {
@@ -456,20 +476,39 @@ private:
             }
             for (toml::node const& each : *list) {
                 to.from.push_back(each.as_string()->get());
+                static_cast<void>(settings_of(each.source(), {.from = {to.from.back()}}));
             }
         }
-        refuse_twice(served_places_, to.listen.front(), place_of(*said, "listen"), "a line that listens at");
-        serve_settings settings;
-        if (auto const why = ended_by([&] { settings = serve_settings_in({.line = line.choices, .serve = to}); })) {
-            refuse(said->source(), why->what());
-        }
-        std::string const& host = settings.listen.front().at.host;
-        if (to.from.empty() and not is_loopback(host)) {
+        toml::source_region const at = place_of(*said, "listen");
+        serve_settings const settings = settings_of(at, to);
+        refuse_taken_place({line.name, to.listen.front(), settings.listen.front().at}, at);
+        if (settings.is_for_anybody() and not is_loopback(settings.listen.front().at.host)) {
             plan_.notes.push_back(line.name + ": whoever reaches " + to.listen.front() +
                                   " may read there: say from = [\"192.168.1.0/24\"] with the clients that may");
         }
         plan_.notes.push_back(line.name + ": clients at " + to.listen.front() + " may read the units " + to.units +
                               ": where one of them is a drive, that feeds its supervision of the line");
+    }
+
+    /// Where a line listens.
+    struct served_place {
+        std::string line;
+        std::string word;
+        tcp_address at;
+    };
+
+    void refuse_taken_place(served_place place, toml::source_region const& where)
+    {
+        if (place.at.port == 0) {
+            refuse(where, "listen: port 0 is any that is free, which no client knows: say which, 1502");
+        }
+        for (served_place const& each : served_places_) {
+            if (each.at.port == place.at.port and are_one_place(each.at.host, place.at.host)) {
+                refuse(where, "listen: the line '" + each.line + "' listens at " + each.word +
+                                  " already: " + place.word + " is another address or has another port");
+            }
+        }
+        served_places_.push_back(std::move(place));
     }
 
     /// So short on a wire that who falls silent is told within 3 s; over a network a request may wait behind others.
@@ -704,7 +743,7 @@ private:
     std::filesystem::path folder_{};
     std::map<std::string, unsigned, std::less<>> line_names_{};
     std::map<std::string, unsigned, std::less<>> ports_{};
-    std::map<std::string, unsigned, std::less<>> served_places_{};
+    std::vector<served_place> served_places_{};
     std::map<std::string, unsigned, std::less<>> names_of_line_{};
     std::map<std::string, unsigned, std::less<>> units_of_line_{};
     std::map<std::string, std::pair<std::string, std::shared_ptr<named_places const>>> register_files_{};

@@ -7,28 +7,36 @@
 
 namespace tool {
 
-toml::table const* toml_values::table_in(toml::table const& from, std::string_view key) const
+namespace {
+
+/// The last part of "line.serve".
+std::string_view key_of(std::string_view name) { return name.substr(name.rfind('.') + 1); }
+
+} // namespace
+
+toml::table const* toml_values::table_in(toml::table const& from, std::string_view name) const
 {
-    toml::node const* const value = from.get(key);
+    toml::node const* const value = from.get(key_of(name));
     if (value != nullptr and not value->is_table()) {
         refuse(value->source(),
-               std::string{key} + " is a table: its keys stand in lines behind [" + std::string{key} + "]");
+               std::string{key_of(name)} + " is a table: its keys stand in lines behind [" + std::string{name} + "]");
     }
     return value == nullptr ? nullptr : value->as_table();
 }
 
-toml::array const* toml_values::tables_in(toml::table const& from, std::string_view key, std::size_t most) const
+toml::array const* toml_values::tables_in(toml::table const& from, std::string_view name, std::size_t most) const
 {
-    toml::node const* const list = from.get(key);
+    toml::node const* const list = from.get(key_of(name));
     if (list == nullptr) {
         return nullptr;
     }
+    std::string const header = "[[" + std::string{name} + "]]";
     toml::array const* const tables = list->as_array();
     if (tables == nullptr or not tables->is_homogeneous<toml::table>() or tables->empty()) {
-        refuse(list->source(), std::string{key} + " are tables: each begins with [[" + std::string{key} + "]]");
+        refuse(list->source(), std::string{key_of(name)} + " are tables: each begins with " + header);
     }
     if (tables->size() > most) {
-        refuse(list->source(), std::to_string(tables->size()) + " times [[" + std::string{key} + "]]; at most " +
+        refuse(list->source(), std::to_string(tables->size()) + " times " + header + "; at most " +
                                    std::to_string(most) + " are taken");
     }
     return tables;

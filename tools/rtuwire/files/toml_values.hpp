@@ -23,11 +23,11 @@ public:
         refuse_at(file_, where, why);
     }
 
-    /// A table of the file; null where it has none.
-    [[nodiscard]] toml::table const* table_in(toml::table const& from, std::string_view key) const;
+    /// A table of the file; null where it has none. `name`: as its header has it, "line.serve".
+    [[nodiscard]] toml::table const* table_in(toml::table const& from, std::string_view name) const;
 
-    /// The tables behind [[key]]; null where there are none. Refuses what is something else, and more than `most`.
-    [[nodiscard]] toml::array const* tables_in(toml::table const& from, std::string_view key, std::size_t most) const;
+    /// The tables behind [[name]]; null where there are none. Refuses what is something else, and more than `most`.
+    [[nodiscard]] toml::array const* tables_in(toml::table const& from, std::string_view name, std::size_t most) const;
 
     /// A whole number within limits; nothing where a table has none.
     [[nodiscard]] std::optional<unsigned> whole_in(toml::table const& from, std::string_view key, unsigned lowest,

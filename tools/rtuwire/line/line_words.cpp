@@ -41,14 +41,13 @@ std::optional<unit_address> any_unit_at(unsigned number)
     return reserved ? std::optional{unit_address{*reserved}} : std::nullopt;
 }
 
-rtuwire::unit_id address_in(std::string_view word, std::string const& of)
+/// `advice` stands behind a refusal.
+rtuwire::unit_id address_in(std::string_view word, std::string const& of, std::string const& advice = {})
 {
     auto const number = number_in(word);
     auto const unit = number ? rtuwire::unit_id::checked(*number) : rtuwire::errc::malformed;
     if (not unit) {
-        bool const is_any_unit = number and any_unit_at(*number);
-        refuse_word("'" + std::string{word} + "' in '" + of + "' is no address of a unit: 1 to 247" +
-                    (is_any_unit ? "; read, watch and identify take 0 and 248 to 255 with --any-unit" : ""));
+        refuse_word("'" + std::string{word} + "' in '" + of + "' is no address of a unit: 1 to 247" + advice);
     }
     return *unit;
 }
@@ -167,8 +166,11 @@ named_unit unit_in(line_choices const& line)
         refuse_word("'" + line.unit + "' is neither an address nor a name given by --name" +
                     suggestion(line.unit, known));
     }
-    auto const any = line.may_be_any_unit and number ? any_unit_at(*number) : std::nullopt;
-    named_unit chosen = found ? *found : named_unit{any ? *any : unit_address{address_in(line.unit, "--unit")}};
+    auto const any = number ? any_unit_at(*number) : std::nullopt;
+    std::string const advice = any ? "; read, watch and identify take 0 and 248 to 255 with --any-unit" : "";
+    named_unit chosen = found                          ? *found
+                        : any and line.may_be_any_unit ? named_unit{*any}
+                                                       : named_unit{address_in(line.unit, "--unit", advice)};
     std::string const of_name = is_register_file(chosen.drive) ? std::exchange(chosen.drive, {}) : std::string{};
     std::string const file = line.device.empty() ? of_name : line.device;
     chosen.drive = line.drive.empty() ? chosen.drive : line.drive;

@@ -12,7 +12,6 @@ namespace tool {
 namespace {
 
 constexpr unsigned bits_of_six = 128;
-constexpr unsigned bits_before_four = 96; ///< where IPv6 maps IPv4
 
 } // namespace
 

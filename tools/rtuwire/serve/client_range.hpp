@@ -18,8 +18,12 @@ public:
     /// Whether an address is one of them; `host` is its number. One of IPv4 is the same as IPv6 maps it.
     [[nodiscard]] bool has(std::string const& host) const;
 
+    /// Whether it leaves nobody out that has an address of IPv4.
+    [[nodiscard]] bool has_all() const { return length_ <= bits_before_four and has("0.0.0.0"); }
+
 private:
-    using bytes = std::array<std::uint8_t, 16>; ///< of IPv6; one of IPv4 as IPv6 maps it
+    using bytes = std::array<std::uint8_t, 16>;      ///< of IPv6; one of IPv4 as IPv6 maps it
+    static constexpr unsigned bits_before_four = 96; ///< where IPv6 maps IPv4
 
     static std::optional<bytes> bytes_of(std::string const& host);
     static bytes begin_of(bytes const& address, unsigned length);

@@ -94,7 +94,10 @@ serve_settings serve_settings_in(choices const& chosen)
         settings.listen.push_back(place_to_listen("mbap://127.0.0.1:1502", form));
     }
     if (not chosen.serve.units.empty()) {
-        auto const units = units_in(chosen.serve.units);
+        std::vector<std::uint8_t> units;
+        if (auto const why = ended_by([&] { units = units_in(chosen.serve.units); })) {
+            refuse_word(option_words(form, line_option::units) + ": " + why->what());
+        }
         settings.gate.units.emplace(units.begin(), units.end());
     }
     if (not chosen.serve.functions.empty()) {

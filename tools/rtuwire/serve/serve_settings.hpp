@@ -3,6 +3,7 @@
 // What the command line says of a line that clients ask.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -36,6 +37,12 @@ struct serve_settings {
     std::optional<tcp_address> metrics{};
     std::chrono::steady_clock::duration longest_idle{std::chrono::minutes{10}}; ///< of a client that asks nothing
     std::optional<double> last{}; ///< seconds; nothing: until somebody ends the program
+
+    /// Whether `from` leaves nobody out.
+    [[nodiscard]] bool is_for_anybody() const
+    {
+        return from.empty() or std::ranges::any_of(from, &client_range::has_all);
+    }
 
     /// Whether drives are served, which are those that somebody named.
     [[nodiscard]] bool names_units() const { return gate.units.has_value(); }

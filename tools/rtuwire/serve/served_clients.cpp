@@ -45,7 +45,8 @@ void served_clients::listen()
         if (not made.socket.open(each.at.host, each.at.port, static_cast<int>(most_clients))) {
             throw ended{exit_status::port, std::string{name_of(each.protocol)} + "://" + made.socket.failure()};
         }
-        if (settings_.gate.may_write and settings_.from.empty() and not is_loopback(host_of(made.socket.device()))) {
+        if (settings_.gate.may_write and settings_.is_for_anybody() and
+            not is_loopback(host_of(made.socket.device()))) {
             refuse_for_safety("--write with --listen " + place_of(made) +
                               ": whoever reaches that address could write; say --from with the clients that may");
         }
