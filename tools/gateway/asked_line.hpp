@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "device_slot.hpp"
@@ -62,6 +63,9 @@ public:
     asked_line& operator=(asked_line const&) = delete;
     virtual ~asked_line() = default;
 
+    /// What is done again and again while a response is waited for, however long that takes.
+    void beat_by(std::function<void()> beat) { beat_ = std::move(beat); }
+
     virtual clock::time_point now() const = 0;
     virtual std::uint64_t unix_time() const = 0; ///< microseconds since 1970
     /// Until then, or so long as it likes; what comes meanwhile is nobody's response.
@@ -79,6 +83,17 @@ public:
     virtual setting_outcome write(setting_request const& request, setting_look const& last_look) = 0;
     /// Since it began, over all that was opened.
     virtual exchange_counts const& counts() const = 0;
+
+protected:
+    void beat() const
+    {
+        if (beat_) {
+            beat_();
+        }
+    }
+
+private:
+    std::function<void()> beat_{};
 };
 
 } // namespace tool::gateway

@@ -41,6 +41,8 @@ public:
     void serve_one();
     /// Serves them until one has a request, or then. `line`: whose end is noticed, -1 for none; ends where that comes.
     void wait(int line, clock::time_point until);
+    /// Serves them until the descriptor can be read, or then. Whether it can.
+    bool wait_for_bytes(int descriptor, clock::time_point until) { return clients_.wait_for_bytes(descriptor, until); }
 
 private:
     /// What is to be known of them: the line's own events are told by its rounds.

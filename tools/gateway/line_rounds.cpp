@@ -50,6 +50,7 @@ line_rounds::line_rounds(line_plan const& plan, asked_line& line, line_board& bo
         devices_[i].content = *board.device(i);
         begin_patience(devices_[i]);
     }
+    line_.beat_by([this] { show_state(); });
 }
 
 void line_rounds::step()

@@ -28,6 +28,9 @@ public:
     static constexpr std::chrono::seconds wrong_device_pause{60};
 
     line_rounds(line_plan const& plan, asked_line& line, line_board& board, stored_writes& stored);
+    line_rounds(line_rounds const&) = delete;
+    line_rounds& operator=(line_rounds const&) = delete;
+    ~line_rounds() { line_.beat_by({}); }
 
     /// What is due next: opens the port, writes a setting, reads a part; else it waits. Where the port fails it is closed, and
     /// opened again in a later step, with growing pauses.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "../support/platform.hpp"
 #include "line/reading.hpp"
 #include "line/time_text.hpp"
 #include "line/who_is_it.hpp"
@@ -112,6 +113,30 @@ void opened_line::wait(clock::time_point until)
     }
 }
 
+/// Of the port, for a response.
+void opened_line::wait(int descriptor, rtuwire::instant until)
+{
+    rtuwire::host_deadline const end{until};
+    for (bool is_over = false; not is_over;) {
+        std::chrono::microseconds const left = rtuwire::to_chrono(end.left());
+        is_over = left <= beat_period;
+        if (wait_for_bytes(descriptor, std::min<std::chrono::microseconds>(left, beat_period))) {
+            return;
+        }
+        beat();
+    }
+}
+
+bool opened_line::wait_for_bytes(int descriptor, std::chrono::microseconds time)
+{
+    if (clients_) {
+        return clients_->wait_for_bytes(descriptor, now() + time);
+    }
+    pollfd port = watched_port(descriptor, POLLIN);
+    timespec const left{time.count() / 1'000'000, time.count() % 1'000'000 * 1'000};
+    return ::ppoll(&port, 1, &left, nullptr) > 0;
+}
+
 void opened_line::serve_one()
 {
     if (clients_) {
@@ -123,6 +148,7 @@ void opened_line::open()
 {
     line_.emplace(plan_.choices);
     line_->count_in(&counts_);
+    line_->port().attend(*this);
     if (clients_) {
         clients_->begin(*line_);
     }

@@ -3,6 +3,7 @@
 // A line of the gateway on its port, in real time.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -16,8 +17,11 @@
 
 namespace tool::gateway {
 
-class opened_line final : public asked_line {
+class opened_line final : public asked_line, private port_attendant {
 public:
+    /// While a response is waited for the loop shows so often that it runs.
+    static constexpr std::chrono::milliseconds beat_period{500};
+
     /// `tell` takes what there is to know of clients.
     opened_line(line_plan const& plan, std::function<void(std::string const&)> tell);
 
@@ -38,6 +42,9 @@ private:
         register_reader reader;
     };
 
+    void wait(int descriptor, rtuwire::instant until) override;
+    bool is_over() const override { return false; }
+    bool wait_for_bytes(int descriptor, std::chrono::microseconds time);
     void note_asked(device_plan const& device);
     /// Why what answers there is not what the file says; empty where it is.
     std::string why_wrong(device_plan const& device);

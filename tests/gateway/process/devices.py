@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|repeated|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|repeated|pulled|replaced|many
 """
 import json
 import os
@@ -117,6 +117,20 @@ def usual(check, program, _):
                 changes.says("line1/meter2/availability", "online", time.time(), f"alone, turn {turn}")
             changes.judge()
             changes_of_other.judge(2 * SOON)
+
+
+def waited(check, program, _):
+    """A line that waits for 4 s for each response is there all the same."""
+    with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        the_line = a_line(line.name, a_meter(registers=["voltage"]), timeout=4.0, retries=0)
+        with Gateway(program, folder, text_of(broker.port, [the_line])):
+            check(flows(client), "values come")
+            line.silent, since = {3}, time.time()
+            check(soon(lambda: client.last(f"{SITE}/line1/meter/availability") == "offline", LIMIT), "a device is silent")
+            said = [each.payload for each in client.of(f"{SITE}/line1/availability") if each.arrived >= since]
+            check(not said, "and its line has not gone", said)
+            beats = [each for each in client.of(f"{SITE}/line1/status") if each.arrived >= since]
+            check(len(beats) >= 5, "it has shown that it runs", len(beats))
 
 
 class Repeating(Units):
@@ -281,7 +295,8 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    {"silent": silent, "usual": usual, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}[part](check, program, tool, *more)
+    parts = {"silent": silent, "usual": usual, "waited": waited, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
+    parts[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

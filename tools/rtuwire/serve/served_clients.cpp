@@ -81,10 +81,18 @@ void served_clients::begin()
 void served_clients::wait(int descriptor, rtuwire::instant until)
 {
     rtuwire::host_deadline const end{until};
+    wait_for_bytes(descriptor, now() + rtuwire::to_chrono(end.left()));
+}
+
+bool served_clients::wait_for_bytes(int descriptor, serve_time until)
+{
     for (;;) {
-        auto const left = rtuwire::to_chrono(end.left());
-        if (pass(descriptor, POLLIN, now() + left) or left.count() == 0 or is_over()) {
-            return;
+        bool const is_last = now() >= until;
+        if (pass(descriptor, POLLIN, until)) {
+            return true;
+        }
+        if (is_last or is_over()) {
+            return false;
         }
     }
 }

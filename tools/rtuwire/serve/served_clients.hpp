@@ -51,6 +51,8 @@ public:
     /// Serves the clients until the descriptor can be read.
     void wait(int descriptor, rtuwire::instant until) override;
     [[nodiscard]] bool is_over() const override;
+    /// The same, or until then. Whether it can be read.
+    bool wait_for_bytes(int descriptor, serve_time until);
 
     /// Serves the clients until one of them has a request, or then; `line`: whose end is noticed, -1 for none. False where
     /// that has ended.

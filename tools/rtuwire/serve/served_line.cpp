@@ -44,6 +44,12 @@ reopened_line::reopened_line(choices const& chosen, serve_settings const& settin
     : chosen_{chosen}, clients_{clients}, counts_{counts}, events_{events},
       line_{std::make_unique<open_line>(chosen.line)}, served_{chosen, settings, clients, counts, events}
 {
+    begin();
+}
+
+void reopened_line::begin()
+{
+    line_->port().attend(clients_);
     served_.begin(*line_);
 }
 
@@ -81,7 +87,7 @@ bool reopened_line::open_again()
         tell_away("port_away", failure->what(), "it is tried again and again");
         return false;
     }
-    served_.begin(*line_);
+    begin();
     opened_ = steady_clock::now();
     tell_back();
     return true;
@@ -120,7 +126,6 @@ void reopened_line::lose(std::string const& why)
 void served_line::begin(open_line& line)
 {
     line_ = &line;
-    line.port().attend(clients_);
     counts_.is_port_up = true;
 }
 

@@ -27,7 +27,7 @@ public:
         : chosen_{chosen}, settings_{settings}, clients_{clients}, counts_{counts}, events_{events}
     {}
 
-    /// From here on this line is asked, and its clients are served while it waits.
+    /// From here on this line is asked. While it waits its owner has the clients served.
     void begin(open_line& line);
     /// Until the next one nobody can be asked, and nothing is known of who is there.
     void end();
@@ -110,6 +110,8 @@ public:
     void run();
 
 private:
+    /// The line is open.
+    void begin();
     bool open_again();
     void lose(std::string const& why);
     /// Says why the port is away, each reason once until it is back.
