@@ -5,6 +5,8 @@
 
 #include "support/catch.hpp"
 
+#include <rtuwire/ask/single_request.hpp>
+
 using namespace rtuwire;
 using namespace rtuwire::test;
 
@@ -113,6 +115,40 @@ TEST_CASE("a conversation that is begun anew keeps its turn, also on a client th
         }
         // Marked, next in turn, and next once more.
         CHECK(visits == 3);
+    }
+}
+
+TEST_CASE("a loop that comes late is called once more behind an outcome, for a conversation that is begun anew then")
+{
+    for (std::uint64_t const begin : {0x1000ULL, 0x7FFF'0000ULL, 0xFFF0'0000ULL}) {
+        INFO(begin);
+        desk it{begin};
+        single_request once_a_round{unit_id{1}, read_holding_registers{.start = 3201, .count = 1}};
+        unsigned rounds = 0;
+        for (unsigned passes = 0; passes < 30 and rounds < 10;
+             ++passes) { // that of README: no interrupt but the UART's
+            it.link.advance(it.now());
+            it.link.converse(once_a_round, it.now());
+            if (once_a_round.settled()) {
+                REQUIRE(once_a_round.outcome());
+                ++rounds;
+                once_a_round.again();
+            }
+            byte_view const frame = it.link.poll_transmit();
+            if (not frame.empty()) {
+                frame_bytes const asked{frame.begin(), frame.end()};
+                it.time += office_line.characters(asked.size()).microseconds;
+                it.link.sent(it.now());
+                it.time += 4'000;
+                it.link.receive(response_to(asked), it.now());
+                it.time += 10'000; // until the loop gets to it: the line is silent by then
+            } else {
+                deadline const due = it.link.poll_deadline();
+                REQUIRE(due); // else it sleeps for ever
+                it.time += reached(it.now(), *due) ? 0 : (*due - it.now()).microseconds;
+            }
+        }
+        CHECK(rounds == 10);
     }
 }
 

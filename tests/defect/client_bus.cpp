@@ -313,7 +313,7 @@ TEST_CASE("defect: D10 the urgent conversation's own deadline wakes the bus")
             }
         });
         CHECK(urgent.number == 5);
-        CHECK(it.line.restless == 0);
+        CHECK(it.line.restless <= 1); // the pass behind its end, in which it might have been begun anew
         std::size_t seen = 0;
         for (departure const& each : it.line.departures) {
             if (each.frame == write_of(0, 8501, 0)) {

@@ -57,7 +57,7 @@ template <auto const& R, device_type Device> [[nodiscard]] consteval bool is_rea
 } // namespace detail
 
 /// Reads the value of one register of this device, by the function of its kind. All its words, and its scale where
-/// another register holds it, are read by one request.
+/// another register holds it, are read by one request. The limits of its row are for writing: any word that was read is given.
 template <auto const& R, device_type Device> [[nodiscard]] constexpr auto read(station<Device> const& of) noexcept
 {
     static_assert(detail::is_readable<R, Device>());

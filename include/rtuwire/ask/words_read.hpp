@@ -109,7 +109,7 @@ public:
             return settle(outcome.error());
         }
         read_words const words{outcome->pdu(), Space};
-        if (not words.holds(Count)) {
+        if (not words.holds(Count)) { // a client has compared it already; others may give a response, too
             return settle(errc::wrong_length);
         }
         for (std::size_t i = 0; i < Count; ++i) {

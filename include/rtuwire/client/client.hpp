@@ -74,7 +74,8 @@ public:
     // The line.
 
     /// Takes bytes that had arrived by `now`, in any chunking. While no response is awaited they are noise: dropped,
-    /// but the line was not silent. A response that is passed in before `advance` has seen the time-out is in time.
+    /// but the line was not silent. A response that is passed in before `advance` has seen the time-out is in time. One that
+    /// its length ends, with a right CRC, ends the request here; any other in `advance`.
     constexpr void receive(byte_view const& bytes, instant now) noexcept { transaction().receive(bytes, now); }
 
     /// The same of one byte: a program that calls only this has no code for chunks.
@@ -133,7 +134,8 @@ public:
     /// The bytes to send now, each request and repetition once; empty when there is nothing to send. Unchanged until `sent`.
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return transaction().poll_transmit(); }
 
-    /// When the next pass has something to do.
+    /// When the next pass has something to do; behind an outcome at once or when the line is silent, so that who was begun
+    /// anew asks again. It knows nothing of what was begun from elsewhere since its last visit: let it visit before the loop sleeps.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
         detail::earliest next;
@@ -246,7 +248,8 @@ public:
     /// outcome the next turn is that of the others that visited meanwhile. A request to a unit with an outstanding
     /// response stays with its conversation; a request that cannot be sent at all is refused at once. Of a conversation
     /// that had settled before this visit nothing is sent, and its outcome says `used_already` from here on: read it in
-    /// the pass in which it settles.
+    /// the pass in which it settles. A conversation has a name, and lives until it has settled: of one that has none the
+    /// response would be lost, so none is taken.
     template <conversation Conversation> constexpr void converse(Conversation& conversation, instant now) noexcept
     {
         client_options const& all = transaction().options();
@@ -302,10 +305,13 @@ public:
         if (not claims_outcome(conversation, wants_turn, now)) { // the outcome may be another's
             return told;
         }
-        turns().renew(conversation);
+        turns().renew(conversation); // the marks of all others are void, its own stays valid
         conversation.forget();
         result<response> const outcome = take_and_note_outcome(now);
         conversation.accept(outcome);
+        if (conversation.settled() and is_quiet()) {
+            transaction().wake(now); // it may be begun anew behind its visit, and no silence ahead brings the next pass
+        }
         return outcome.error();
     }
 
@@ -349,7 +355,7 @@ public:
             Needs.has_only_unit or not detail::asks_only_unit<Conversation>(),
             "this client sends broadcasts to address 0, where the conversation asks a unit: on a line with one "
             "unit, give its client_needs has_only_unit");
-        if (conversation.settled() and not turns().is_last(conversation)) {
+        if (conversation.settled() and not turns().is_last(conversation)) { // the visit of the last opens others' turn
             return detail::turn_result::passed;
         }
         detail::effect const what = detail::effect_of(conversation);

@@ -25,7 +25,7 @@ enum class line_event : std::uint8_t {
     repetition, ///< a request left again
     reply,      ///< a response was accepted
     timeout,    ///< no response in time
-    late,       ///< a response came after its time
+    late,       ///< a response came after its time, while no other was awaited
     foreign,    ///< a response of another unit
     crc,        ///< a frame with a wrong CRC, or with a receive error
     length,     ///< a frame whose size is wrong
