@@ -163,7 +163,9 @@ template <auto const& R, device_type Device>
     return value ? write<R>(to, *value) : request{value.error()};
 }
 
-/// Writes a register whose steps another register sets; `Step` is what the caller knows them to be.
+/// Writes a register whose steps another register sets, as INR does those of an ATV320's ramps; `Step` is what the caller
+/// knows them to be. Nothing compares it with what the unit has: with another one the unit takes the count, the outcome is a
+/// success, and the value is ten or a hundred times too large or too small. Read that register first: docs/registers.md.
 template <typename Step, auto const& R, device_type Device>
 [[nodiscard]] constexpr auto write_with_step(station<Device> const& to, setting<restepped<Step, R>> value) noexcept
 {
