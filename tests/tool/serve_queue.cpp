@@ -40,7 +40,7 @@ TEST_CASE("serve: a client with many requests keeps nobody waiting behind them")
     REQUIRE(queue.add(request_of(9, 200)));
     std::vector<std::uint64_t> order;
     std::vector<std::uint16_t> of_first;
-    while (auto const next = queue.take()) {
+    while (auto const next = queue.take(begin)) {
         order.push_back(next->client);
         if (next->client == 1) {
             of_first.push_back(next->number);
@@ -68,7 +68,7 @@ TEST_CASE("serve: between two turns of a client that waits each other has one at
                 turns_since[client].clear();
             }
         } else if (what < 99) {
-            auto const next = queue.take();
+            auto const next = queue.take(begin);
             std::size_t const all = [&] {
                 std::size_t sum = 0;
                 for (auto const& [of, count] : waiting) {
@@ -108,7 +108,7 @@ TEST_CASE("serve: a queue has limits, of a client and of all")
     }
     CHECK(queue.size() == 256);
     CHECK_FALSE(queue.add(request_of(99, 0)));
-    REQUIRE(queue.take());
+    REQUIRE(queue.take(begin));
     CHECK(queue.add(request_of(99, 0)));
 }
 
@@ -127,8 +127,8 @@ TEST_CASE("serve: of a client that left nothing is taken, and what is old is han
     CHECK(old[0].number == 2);
     CHECK(queue.take_old(begin + 6s).empty());
     CHECK(queue.size() == 1);
-    CHECK(queue.take()->number == 3);
-    CHECK_FALSE(queue.take());
+    CHECK(queue.take(begin)->number == 3);
+    CHECK_FALSE(queue.take(begin));
     CHECK_FALSE(queue.next_old());
 }
 
@@ -147,7 +147,45 @@ TEST_CASE("serve: what came behind a request that is old goes with it, in its or
     CHECK(old[2].number == 3);
     CHECK(queue.size() == 1);
     CHECK_FALSE(queue.has(1));
-    CHECK(queue.take()->number == 4);
+    CHECK(queue.take(begin)->number == 4);
+}
+
+TEST_CASE(
+    "serve: a request without a response comes again behind the others' turns, and before what its client sent later")
+{
+    request_queue queue;
+    REQUIRE(queue.add(request_of(1, 1)));
+    REQUIRE(queue.add(request_of(1, 2)));
+    REQUIRE(queue.add(request_of(2, 3)));
+    auto first = queue.take(begin);
+    REQUIRE(first);
+    CHECK(first->number == 1);
+    queue.put_back(*first);
+    CHECK(queue.size() == 3);
+    std::vector<std::uint16_t> order;
+    while (auto const next = queue.take(begin)) {
+        order.push_back(next->number);
+    }
+    CHECK(order == std::vector<std::uint16_t>{3, 1, 2});
+}
+
+TEST_CASE("serve: who wants a unit that is left alone waits, and nobody else does")
+{
+    request_queue queue;
+    REQUIRE(queue.add(request_of(1, 1)));
+    REQUIRE(queue.add({.client = 2, .number = 2, .unit = 5, .pdu = {std::byte{3}}, .came = begin}));
+    REQUIRE(queue.add({.client = 2, .number = 3, .unit = 1, .pdu = {std::byte{3}}, .came = begin}));
+    queue.leave_alone(1, begin + 200ms);
+    CHECK(queue.is_left_alone(1, begin + 199ms));
+    CHECK_FALSE(queue.is_left_alone(5, begin));
+    REQUIRE(queue.next_turn());
+    CHECK(*queue.next_turn() <= begin);
+    CHECK(queue.take(begin)->number == 2);
+    CHECK(queue.next_turn() == begin + 200ms);
+    CHECK_FALSE(queue.take(begin + 199ms)); // of both clients the next is for that unit
+    CHECK(queue.take(begin + 200ms)->number == 1);
+    CHECK(queue.take(begin + 200ms)->number == 3);
+    CHECK_FALSE(queue.next_turn());
 }
 
 namespace {
@@ -169,13 +207,13 @@ struct shared_line {
             if (silent.is_due(9, now)) {
                 now += 1s;
                 ++timed_out;
-                silent.note(9, false, now);
+                silent.note(9, false, now, 1s);
             }
             now += 10ms; // the client's own time, or unit 1's
             if (has_other) {
                 silent.note_request(1, now);
                 REQUIRE(silent.is_due(1, now));
-                silent.note(1, true, now);
+                silent.note(1, true, now, 10ms);
                 longest_wait = std::max<std::chrono::nanoseconds>(longest_wait, now - latest);
                 latest = now;
                 ++answered;
@@ -197,6 +235,54 @@ TEST_CASE("serve: a unit that is off costs the others one time-out now and then"
     CHECK(line.answered > 25'000);
 }
 
+TEST_CASE("serve: many units that are off cost the others a tenth of the line")
+{
+    constexpr std::uint8_t first = 10, count = 30;
+    constexpr auto timeout = 500ms;
+    tool::silent_units silent;
+    serve_time now = begin;
+    unsigned tried = 0;
+    std::map<std::uint8_t, unsigned> tries;
+    auto const run = [&](std::chrono::seconds time) {
+        tried = 0;
+        tries.clear();
+        for (serve_time const end = now + time; now < end;) {
+            for (std::uint8_t unit = first; unit < first + count;
+                 ++unit) { // whose clients ask at once again, each in its turn
+                silent.note_request(unit, now);
+                if (silent.is_due(unit, now)) {
+                    now += timeout;
+                    ++tried;
+                    ++tries[unit];
+                    silent.note(unit, false, now, timeout);
+                }
+                silent.note_request(1, now);
+                REQUIRE(silent.is_due(1, now));
+                now += 10ms;
+                silent.note(1, true, now, 10ms);
+            }
+        }
+    };
+    run(60s);
+    CHECK(tried <= count + 60s / (10 * timeout) + 2); // each of them had to be met
+    run(600s);
+    CHECK(tried <= 600s / (10 * timeout) + 1);
+    CHECK(tried >= 100); // and they are found when they are back
+    CHECK(tries.size() == count);
+}
+
+TEST_CASE("serve: a unit that missed one request is asked soon again")
+{
+    tool::silent_units silent;
+    silent.note_request(1, begin);
+    silent.note(7, true, begin, 10ms);
+    CHECK(silent.has_answered(7));
+    silent.note(7, false, begin, 1s);
+    CHECK_FALSE(silent.has_answered(7));
+    CHECK_FALSE(silent.is_due(7, begin + 240ms));
+    CHECK(silent.is_due(7, begin + 250ms));
+}
+
 TEST_CASE("serve: a unit that nobody else waits beside is asked each time")
 {
     shared_line line;
@@ -209,11 +295,11 @@ TEST_CASE("serve: a unit that nobody else waits beside is asked each time")
 TEST_CASE("serve: that a unit falls silent is news once, and that it is back")
 {
     tool::silent_units units;
-    CHECK_FALSE(units.note(7, true, begin));
-    CHECK(units.note(7, false, begin));
-    CHECK_FALSE(units.note(7, false, begin + 1s));
+    CHECK_FALSE(units.note(7, true, begin, 1s));
+    CHECK(units.note(7, false, begin, 1s));
+    CHECK_FALSE(units.note(7, false, begin + 1s, 1s));
     CHECK(units.is_silent(7));
-    CHECK(units.note(7, true, begin + 2s));
+    CHECK(units.note(7, true, begin + 2s, 1s));
     CHECK_FALSE(units.is_silent(7));
     units.note_request(7, begin + 2s);
     units.note_request(8, begin + 2s);

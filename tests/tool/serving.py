@@ -1107,6 +1107,45 @@ def dead_unit(check, program):
         check(flood.answers >= dead, "and its client is answered 0B meanwhile", (flood.answers, dead))
 
 
+def dead_units(check, program):
+    """Six clients with eight requests each to units that never answer, and one that asks another."""
+    timeout, dead, rounds = 0.2, (10, 11, 12, 13, 14, 15), 300
+    with PlainUnits(1, silent=dead) as line, \
+            Served(program, line.name, "--units", "1,10-15", line=("--timeout", timeout, "--retries", 1)) as served:
+        began = time.time()
+        floods = [Flood(served.number, unit, FIRST + 1, 8) for unit in dead]
+        steady = Steady(served.number, 1, FIRST + 10)
+        steady.start()
+        check(soon(lambda: [unit for unit, _ in line.reads()].count(1) > rounds, 120), "the seventh goes on")
+        order, took = [unit for unit, _ in line.reads()], time.time() - began
+        for each in [steady, *floods]:
+            each.end()
+        asked = len(order) - order.count(1)
+        print(f"     of {len(order)} requests in {took:.1f} s {asked} were to the six")
+        check(len(dead) <= asked <= len(dead) + 2 + took / (10 * timeout), "they have a tenth of the line, once each is known", (asked, took))
+        check(not steady.failed, "and the seventh its values", steady.failed[:3])
+
+
+def lost_in_turns(check, program):
+    """A request whose response is lost is sent again behind the others' turns."""
+    with PlainUnits(1, 2) as line, Served(program, line.name, "--units", "1,2", line=("--timeout", 0.5, "--retries", 1)) as served, \
+            Asker(served.number) as one:
+        check(is_right(1, FIRST, 1, one.read(1, FIRST)), "a unit that answers")
+        flood = Flood(served.number, 2, FIRST + 1)
+        check(soon(lambda: flood.answers > 3), "another client asks, as fast as it can")
+        line.silent = {1}
+        one.send(1, read_of(FIRST + 5))
+        check(soon(lambda: (1, FIRST + 5) in line.reads()), "its response is lost")
+        line.silent = set()
+        found = one.answer()
+        order = line.reads()
+        flood.end()
+        check(found[2] == b"\3\2" + value_of(1, FIRST + 5).to_bytes(2, "big"), "its repetition is answered", found)
+        places = [i for i, each in enumerate(order) if each == (1, FIRST + 5)]
+        between = order[places[0] + 1:places[-1]]
+        check(len(places) == 2 and (2, FIRST + 1) in between, "which came behind a turn of the other", order[places[0]:places[-1] + 1])
+
+
 def back_again(check, program):
     """A unit that was silent, and answers."""
     with PlainUnits(1, 2, silent=(2,)) as line, Served(program, line.name, "--units", "1,2", "--json", line=SHORT) as served, \
@@ -1124,7 +1163,7 @@ def back_again(check, program):
 
 
 def fair(check, program):
-    at_once(check, program, (shares, dead_unit, back_again))
+    at_once(check, program, (shares, dead_unit, dead_units, lost_in_turns, back_again))
 
 
 # A crowd.

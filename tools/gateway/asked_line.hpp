@@ -74,6 +74,9 @@ public:
     /// Answers a request of the line's clients, where one waits, whether or not it is open.
     virtual void serve_one() {}
 
+    /// Whether a device is left alone for a moment, because an answer to a client may come from it yet.
+    virtual bool is_left_alone(std::size_t /*device*/) const { return false; }
+
     virtual void open() = 0;
     virtual void close() = 0;
     /// By one request, sent once, where it is silent as far as anybody knows.

@@ -36,6 +36,10 @@ public:
     void end() { served_.end(); }
     /// The gateway asks a unit: clients' requests for one that is silent do not hold that up.
     void note_asked(std::uint8_t unit) { served_.note_asked(unit); }
+    /// What came of that: one that is silent is not asked for clients, too.
+    void note_outcome(std::uint8_t unit, bool has_responded) { served_.note_outcome_of_other(unit, has_responded); }
+    /// Whether an answer to a client may come from this unit yet.
+    bool is_left_alone(std::uint8_t unit) const { return clients_.is_left_alone(unit, clock::now()); }
 
     /// Answers one request, where one waits. Ends where the port fails.
     void serve_one();

@@ -160,7 +160,8 @@ void line_rounds::ask_parts(clock::time_point now)
     for (part& each : parts_) {
         if (each.due > now) {
             next = std::min(next, each.due);
-        } else if (may_ask(devices_[each.what.device], now) and (first == nullptr or each.due < first->due)) {
+        } else if (may_ask(devices_[each.what.device], now) and not line_.is_left_alone(each.what.device) and
+                   (first == nullptr or each.due < first->due)) {
             first = &each;
         }
     }

@@ -169,6 +169,18 @@ void opened_line::note_asked(device_plan const& device)
     }
 }
 
+void opened_line::note_outcome(device_plan const& device, bool has_responded)
+{
+    if (clients_) {
+        clients_->note_outcome(device.unit.unit.byte(), has_responded);
+    }
+}
+
+bool opened_line::is_left_alone(std::size_t device) const
+{
+    return clients_ and clients_->is_left_alone(plan_.devices[device].unit.unit.byte());
+}
+
 std::string opened_line::why_wrong(device_plan const& device)
 {
     unit_address const unit = device.unit.unit;
@@ -216,6 +228,7 @@ device_finding opened_line::identify(std::size_t which, bool is_known_silent)
     if (status_of(first.why) == exit_status::port) {
         throw ended{exit_status::port, line_->port().failure()};
     }
+    note_outcome(device, not is_silence(first.why));
     if (is_silence(first.why)) {
         return {device_finding::kind::silent, first.failure};
     }
@@ -251,6 +264,7 @@ part_reading opened_line::read(std::size_t which)
         found.has_fallen_silent = found.has_fallen_silent or is_silence(why);
         found.values.push_back(value_of(device, value, part.reader));
     }
+    note_outcome(device, found.has_responded and not found.has_fallen_silent);
     return found;
 }
 

@@ -29,6 +29,7 @@ public:
     std::uint64_t unix_time() const override;
     void wait(clock::time_point until) override;
     void serve_one() override;
+    bool is_left_alone(std::size_t device) const override;
     void open() override;
     void close() override;
     device_finding identify(std::size_t device, bool is_known_silent) override;
@@ -46,6 +47,7 @@ private:
     bool is_over() const override { return false; }
     bool wait_for_bytes(int descriptor, std::chrono::microseconds time);
     void note_asked(device_plan const& device);
+    void note_outcome(device_plan const& device, bool has_responded);
     /// Why what answers there is not what the file says; empty where it is.
     std::string why_wrong(device_plan const& device);
     setting_outcome send(device_plan const& device, std::vector<value_to_write> const& values,

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """A line of the gateway that answers clients of Modbus TCP itself, by `[line.serve]`.
 
-    python3 serving.py GATEWAY TOOL together|turns|unplugged|reload
+    python3 serving.py GATEWAY TOOL together|turns|dead|unplugged|reload
 """
 import socket
 import threading
@@ -13,7 +13,7 @@ from setting import Asking
 from stand import LIMIT, SITE, Broker, Client, Folder, Gateway, Units, a_line, a_meter, flows, meter, runs, soon, states, text_of
 
 from pair import free_port  # noqa: I100
-from served import Asker  # noqa: I100
+from served import Asker, read_of  # noqa: I100
 
 
 def the_file(broker, port, number, *devices, units="3,4", **more):
@@ -98,6 +98,44 @@ def turns(check, program, _):
                     each.join(LIMIT)
 
 
+def dead(check, program, _):
+    """Six clients with eight requests each to units that are away, one of them a device: a seventh has its turns, and so have the values."""
+    units, number, away, timeout = {3: meter(), 4: meter(), 5: meter()}, free_port(), (4, 10, 11, 12, 13, 14), 0.3
+    with Folder() as folder, Broker(folder) as broker, Units(units) as line, Client(broker.port, "rtuwire/#") as client:
+        text = text_of(broker.port, [a_line(line.name, a_meter(registers=["voltage"]), a_meter("other", 4, registers=["voltage"]), timeout=timeout,
+                                            serve={"listen": f"mbap://127.0.0.1:{number}", "units": "3-5,10-14"})])
+        with Gateway(program, folder, text) as gateway:
+            check(flows(client) and flows(client, "line1/other") and listens(gateway, number), "values come")
+            is_over, told = threading.Event(), []
+
+            def floods(unit):
+                with Asker(number) as one:
+                    for _ in range(8):
+                        one.send(unit, read_of(10))
+                    while not is_over.is_set():
+                        told.append(one.answer()[2])
+                        one.send(unit, read_of(10))
+            line.silent, began, heard = {4}, time.time(), len(line.requests)
+            threads = [threading.Thread(target=floods, args=(unit,)) for unit in away]
+            for each in threads:
+                each.start()
+            try:
+                with Asker(number) as seventh:
+                    got = [seventh.read(5, 10) for _ in range(60)]
+                check(got == [[215]] * 60, "the seventh reads its unit", got)
+                check(flows(client, since=began, count=10), "values go on")
+                line_said = [each.payload for each in client.of(f"{SITE}/line1/availability") if each.arrived >= began]
+                check(not line_said, "and the line is there", line_said)
+                order, took = [each[1][0] for each in line.requests[heard:]], time.time() - began
+                asked = sum(order.count(each) for each in away if each != 4)
+                check(5 <= asked <= 5 + 2 + took / (10 * timeout), "all that is away has a tenth of the line, once it is known", (asked, took))
+                check(b"\x83\x0b" in told, "and who asks for it is told so", set(told))
+            finally:
+                is_over.set()
+                for each in threads:
+                    each.join(LIMIT)
+
+
 def unplugged(check, program, _):
     """The adapter is pulled out and put in; clients stay connected."""
     number = free_port()
@@ -145,7 +183,7 @@ def reload(check, program, _):
 
 
 def main(check, program, tool, part, *more):
-    {"together": together, "turns": turns, "unplugged": unplugged, "reload": reload}[part](check, program, tool, *more)
+    {"together": together, "turns": turns, "dead": dead, "unplugged": unplugged, "reload": reload}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

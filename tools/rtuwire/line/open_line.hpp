@@ -67,6 +67,11 @@ public:
     {
         return {exchange_.owed(), std::move(conversation)};
     }
+    /// The same of one that others wait behind: it ends at the first silence, also of what is asked before it.
+    template <typename Request> in_step<request_once<Request>> once(request_once<Request> asked)
+    {
+        return {exchange_.owed(), std::move(asked), 1};
+    }
     /// Runs it to its end.
     template <typename Conversation> auto run(in_step<Conversation>& conversation) { return client_.run(conversation); }
     /// The same of one that commands a motor: it waits for nothing that its unit owes but as the library has it.

@@ -47,7 +47,7 @@ public:
     [[nodiscard]] frame_bytes mark_for(rtuwire::byte_view question);
     void note_unanswered(rtuwire::byte_view mark);
 
-    /// How many marks are tried for a question.
+    /// How many marks are tried for a question, as a rule.
     [[nodiscard]] unsigned tries() const { return tries_; }
 
     /// Whether the last response was to a sending of this request, and to no other one before.
@@ -102,7 +102,11 @@ template <typename Conversation> class in_step : public Conversation {
         not requires(Conversation & commander) { commander.intent(); }, "what commands a motor waits for nothing");
 
 public:
-    in_step(owed_answers& owed, Conversation its) : Conversation{std::move(its)}, owed_{owed} {}
+    in_step(owed_answers& owed, Conversation its) : in_step{owed, std::move(its), owed.tries()} {}
+    /// So many marks are tried for a question.
+    in_step(owed_answers& owed, Conversation its, unsigned tries)
+        : Conversation{std::move(its)}, owed_{owed}, tries_{tries}
+    {}
 
     std::optional<rtuwire::request_frame> next()
     {
@@ -143,7 +147,7 @@ public:
         if (outcome.error() == errc::timed_out) {
             owed_.note_unanswered(mark_);
         }
-        if (++tried_ >= owed_.tries() and owed_.hides(question_)) {
+        if (++tried_ >= tries_ and owed_.hides(question_)) {
             tried_ = 0;
             Conversation::accept(errc::timed_out);
         }
@@ -151,6 +155,7 @@ public:
 
 private:
     owed_answers& owed_;
+    unsigned tries_;
     owed_answers::frame_bytes question_{};
     owed_answers::frame_bytes mark_{}; ///< what is asked in its place; empty where nothing is
     unsigned tried_{0};

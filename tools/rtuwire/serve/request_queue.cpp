@@ -27,13 +27,15 @@ void request_queue::drop(std::uint64_t client)
     }
 }
 
-std::optional<served_request> request_queue::take()
+std::optional<served_request> request_queue::take(serve_time now)
 {
-    if (waiting_.empty()) {
+    auto const may_be_taken = [&](auto const& each) { return not is_left_alone(each.second.front().unit, now); };
+    auto const behind = waiting_.upper_bound(latest_);
+    auto next = std::find_if(behind, waiting_.end(), may_be_taken);
+    next = next == waiting_.end() ? std::find_if(waiting_.begin(), behind, may_be_taken) : next;
+    if (next == waiting_.end() or not may_be_taken(*next)) {
         return std::nullopt;
     }
-    auto const behind = waiting_.upper_bound(latest_);
-    auto const next = behind == waiting_.end() ? waiting_.begin() : behind;
     latest_ = next->first;
     served_request request = std::move(next->second.front());
     next->second.pop_front();
@@ -42,6 +44,22 @@ std::optional<served_request> request_queue::take()
         waiting_.erase(next);
     }
     return request;
+}
+
+void request_queue::put_back(served_request request)
+{
+    waiting_[request.client].push_front(std::move(request));
+    ++size_;
+}
+
+std::optional<serve_time> request_queue::next_turn() const
+{
+    std::optional<serve_time> next;
+    for (auto const& [client, own] : waiting_) {
+        serve_time const at = free_from(own.front().unit);
+        next = next ? std::min(*next, at) : at;
+    }
+    return next;
 }
 
 std::vector<served_request> request_queue::take_old(serve_time now)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Requests of many clients, until the line is free for them: each client in turn, each one's in their order. Knows no socket
-// and no clock.
+// Requests of many clients, until the line is free for them: each client in turn, each one's in their order. Those for a unit
+// that is left alone for a moment keep nobody else waiting. Knows no socket and no clock.
 #pragma once
 
 #include <chrono>
@@ -22,6 +22,7 @@ struct served_request {
     std::uint8_t unit{0};
     std::vector<std::byte> pdu{};
     serve_time came{};
+    unsigned sent{0}; ///< so often, without a response
 };
 
 class request_queue {
@@ -36,8 +37,18 @@ public:
     /// A client has gone, and nobody waits for its answers.
     void drop(std::uint64_t client);
 
-    /// The first of the client whose turn it is.
-    [[nodiscard]] std::optional<served_request> take();
+    /// The first of the client whose turn it is, of those whose unit is not left alone.
+    [[nodiscard]] std::optional<served_request> take(serve_time now);
+
+    /// It comes again with the next turn of its client.
+    void put_back(served_request request);
+
+    /// Until then nothing is taken for this unit.
+    void leave_alone(std::uint8_t unit, serve_time until) { alone_until_[unit] = until; }
+    [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time now) const { return now < free_from(unit); }
+
+    /// When one can be taken; nothing where none waits.
+    [[nodiscard]] std::optional<serve_time> next_turn() const;
 
     /// Whether a client has one that waits.
     [[nodiscard]] bool has(std::uint64_t client) const { return waiting_.count(client) > 0; }
@@ -52,6 +63,13 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
 
 private:
+    serve_time free_from(std::uint8_t unit) const
+    {
+        auto const known = alone_until_.find(unit);
+        return known == alone_until_.end() ? serve_time{} : known->second;
+    }
+
+    std::map<std::uint8_t, serve_time> alone_until_{};
     std::map<std::uint64_t, std::deque<served_request>> waiting_{}; ///< none of them empty
     std::uint64_t latest_{0};                                       ///< the client whose turn was last
     std::size_t size_{0};

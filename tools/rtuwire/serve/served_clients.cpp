@@ -104,20 +104,30 @@ bool served_clients::wait_for_request(int line, serve_time until)
     for (client& each : clients_) { // what came behind a request that has its answer now
         take_requests(each, now());
     }
-    serve_time const end = queue_.size() > 0 ? now() : until;
-    do {
+    for (;;) {
+        serve_time const end = std::min(until, queue_.next_turn().value_or(until));
+        bool const is_last = now() >= end;
         if (pass(line, hung_up, end)) {
             return false;
         }
-    } while (queue_.size() == 0 and not is_ending() and now() < end);
-    return true;
+        if (is_last or is_ending()) {
+            return true;
+        }
+    }
 }
 
 std::optional<served_request> served_clients::take()
 {
-    auto request = queue_.take();
+    auto request = queue_.take(now());
     counts_.queue = queue_.size();
     return request;
+}
+
+void served_clients::put_back(served_request request)
+{
+    if (find(request.client) != nullptr) {
+        queue_.put_back(std::move(request));
+    }
 }
 
 void served_clients::answer(served_request const& to, byte_view pdu)
@@ -444,7 +454,9 @@ void served_clients::refuse_old(serve_time when)
             note_refused("age", &each, "a request waited for " + std::to_string(request_queue::oldest.count()) + " s",
                          one->line.device());
             finish(*one, when);
-            answer(*one, each, exception_to(each, errc::server_device_busy));
+            answer(
+                *one, each,
+                exception_to(each, each.sent > 0 ? errc::gateway_target_failed_to_respond : errc::server_device_busy));
         }
     }
 }

@@ -54,7 +54,7 @@ public:
     /// The same, or until then. Whether it can be read.
     bool wait_for_bytes(int descriptor, serve_time until);
 
-    /// Serves the clients until one of them has a request, or then; `line`: whose end is noticed, -1 for none. False where
+    /// Serves the clients until one of them has a request whose turn it is, or then; `line`: whose end is noticed, -1 for none. False where
     /// that has ended.
     [[nodiscard]] bool wait_for_request(int line, serve_time until);
 
@@ -62,6 +62,11 @@ public:
     [[nodiscard]] bool is_ending() const { return ends_at_.has_value(); }
 
     [[nodiscard]] std::optional<served_request> take();
+    /// It had no response, and is to be sent again: with the next turn of its client, so that others have theirs before.
+    void put_back(served_request request);
+    /// Nobody's request for this unit is taken until then.
+    void leave_alone(std::uint8_t unit, serve_time until) { queue_.leave_alone(unit, until); }
+    [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time at) const { return queue_.is_left_alone(unit, at); }
     /// Who sent it, by its address.
     [[nodiscard]] std::string client_of(served_request const& request);
     void answer(served_request const& to, rtuwire::byte_view pdu);

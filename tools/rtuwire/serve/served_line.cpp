@@ -245,14 +245,14 @@ void served_line::broadcast(served_request const& request)
 served_line::look served_line::look_for(named_unit const& unit)
 {
     using identity = rtuwire::read_device_identification;
-    auto asked = line_->with(
+    auto asked = line_->once(
         request_once<identity>{rtuwire::unit_id{unit.unit}, identity{rtuwire::identification_access::basic, 0}});
     errc const first = line_->run(asked).error();
     if (not has_gone_by_silence(first)) {
         return {first};
     }
     using read = rtuwire::read_holding_registers;
-    auto then = line_->with(
+    auto then = line_->once(
         request_once<read>{rtuwire::unit_id{unit.unit}, read{.start = all_catalogs().front()->layout.eta, .count = 1}});
     return {line_->run(then).error(), first};
 }
@@ -263,13 +263,14 @@ bool served_line::identify(served_request const& request, named_unit const& unit
     if (known_.count(number) > 0) {
         return true;
     }
+    auto const began = steady_clock::now();
     auto const [there, silence] = look_for(unit);
     if (status_of(there) == exit_status::port) {
         lose(line_->words_of_failure(there));
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
         return false;
     }
-    note_outcome(number, not has_gone_by_silence(there));
+    note_outcome(number, not has_gone_by_silence(there), began);
     if (has_gone_by_silence(there)) {
         clients_.refuse(request, is_gateway_silence(there) ? there : errc::gateway_target_failed_to_respond);
         return false;
@@ -304,12 +305,13 @@ std::optional<std::vector<value_to_write>> served_line::judge_write(served_reque
                          .unit = " -u " + std::to_string(request.unit),
                          .stop = "stop --freewheel"};
     std::vector<value_to_write> values;
+    auto const began = steady_clock::now();
     auto const why = ended_by([&] { values = refuse_for_client(request.pdu, *line_, unit, *found.rules, judged); });
     if (why and why->status == exit_status::port) {
         lose(why->what());
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
     } else if (why and why->status == exit_status::no_answer) {
-        note_outcome(request.unit, false);
+        note_outcome(request.unit, false, began);
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
     } else if (why) {
         std::string const text = why->what();
@@ -354,18 +356,12 @@ std::string served_line::forward(served_request const& request, named_unit const
 {
     std::vector<std::byte> response;
     auto const began = steady_clock::now();
-    auto const sent = line_->exchange().sent();
-    auto const run = [&](auto conversation) {
-        auto const outcome = line_->run(conversation);
-        if (outcome) {
-            response.assign(outcome->pdu().begin(), outcome->pdu().end());
-        }
-        return outcome.error();
-    };
-    rtuwire::unit_id const to{unit.unit};
-    errc const why = only_reads(request.pdu)
-                         ? run(line_->with(rtuwire::single_request{to, raw_request{raw_in(request)}}))
-                         : run(line_->with(sent_once{to, raw_request{raw_in(request)}}));
+    auto asked = line_->once(sent_once{rtuwire::unit_id{unit.unit}, raw_request{raw_in(request)}});
+    auto const heard = line_->run(asked);
+    errc const why = heard.error();
+    if (heard) {
+        response.assign(heard->pdu().begin(), heard->pdu().end());
+    }
     bool const is_response = why == errc::none or is_refusal_of_unit(why);
     if (is_response) {
         counts_.note_round_trip(request.unit, steady_clock::now() - began);
@@ -377,12 +373,21 @@ std::string served_line::forward(served_request const& request, named_unit const
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
         return outcome;
     }
-    note_outcome(request.unit, not has_gone_by_silence(why));
-    bool const was_repeated = line_->exchange().sent() - sent > 1;
     bool const says_who = request.pdu[0] == static_cast<std::byte>(rtuwire::function_code::encapsulated_interface);
-    if (was_repeated or says_who) {
+    if (not is_response or says_who) {
         known_.erase(request.unit); // another may be there already
     }
+    bool const is_lost = why != errc::none and not rtuwire::is_exception(why);
+    if (is_lost and not line_->port().has_numbers()) { // its answer may come yet
+        clients_.leave_alone(request.unit, steady_clock::now() + rtuwire::to_chrono(line_->options().late_response));
+    }
+    if (is_lost and is_to_be_repeated(request)) {
+        served_request again = request;
+        ++again.sent;
+        clients_.put_back(std::move(again));
+        return outcome;
+    }
+    note_outcome(request.unit, not has_gone_by_silence(why), began);
     if (flaw == errc::none) {
         clients_.answer(request, response);
     } else if (rtuwire::is_exception(why) and why != errc::unlisted_exception) {
@@ -393,14 +398,21 @@ std::string served_line::forward(served_request const& request, named_unit const
     return outcome;
 }
 
-void served_line::note_outcome(std::uint8_t unit, bool has_responded)
+bool served_line::is_to_be_repeated(served_request const& request) const
 {
-    bool const is_news = silent_.note(unit, has_responded, steady_clock::now());
+    return request.sent < line_->options().retries and only_reads(request.pdu) and
+           silent_.has_answered(request.unit) and not clients_.is_ending();
+}
+
+void served_line::note_outcome(std::uint8_t unit, bool has_responded, serve_time began)
+{
+    auto const now = steady_clock::now();
+    bool const is_news = silent_.note(unit, has_responded, now, now - began);
     if (not has_responded) {
         counts_.note_silence(unit);
         known_.erase(unit); // another may answer there next
     } else if (auto const known = known_.find(unit); known != known_.end()) {
-        known->second.heard = steady_clock::now();
+        known->second.heard = now;
     }
     if (is_news) {
         events_.tell(has_responded ? "back" : "silent", {{"unit", std::uint64_t{unit}}},

@@ -40,6 +40,11 @@ public:
     void handle(served_request const& request);
     /// A unit is asked by somebody else: it is not to wait for one that is silent.
     void note_asked(std::uint8_t unit) { silent_.note_request(unit, std::chrono::steady_clock::now()); }
+    /// What came of it: one that is silent is not asked for clients, too.
+    void note_outcome_of_other(std::uint8_t unit, bool has_responded)
+    {
+        silent_.note(unit, has_responded, std::chrono::steady_clock::now(), {});
+    }
 
 private:
     /// What a unit tells of itself; until it is silent, a request had to be repeated, or the port is lost, and for as long as
@@ -74,12 +79,15 @@ private:
     std::optional<std::vector<value_to_write>> judge_write(served_request const& request, named_unit const& unit);
     /// Asks the unit, and answers the client. How it ended, where that is not by a response.
     std::string forward(served_request const& request, named_unit const& unit);
+    /// Whether a request that had no whole response is sent again, in a later turn: a read, where its unit has answered before.
+    bool is_to_be_repeated(served_request const& request) const;
     /// Whether a write can be noted in writes.log; where it cannot, it is answered.
     bool can_be_noted(served_request const& request, std::size_t rows);
     /// `sender`: who may have left since.
     void note_write(served_request const& request, std::vector<value_to_write> const& values, std::string const& sender,
                     std::string const& outcome);
-    void note_outcome(std::uint8_t unit, bool has_responded);
+    /// `began`: when it was asked.
+    void note_outcome(std::uint8_t unit, bool has_responded, serve_time began);
     void refuse_as(served_request const& request, rtuwire::errc exception, std::string const& kind,
                    std::string const& why);
     void tell_not_served(std::uint8_t unit, std::string const& what);
