@@ -411,7 +411,9 @@ private:
                                       "' has no devices: each is a table that begins with "
                                       "[[line.device]]");
         }
-        add_said(line->said, from);
+        toml::table own{from};
+        own.erase("serve");
+        add_said(line->said, own);
         names_of_line_.clear();
         units_of_line_.clear();
         for (toml::node const& each : *devices) {
@@ -452,6 +454,7 @@ private:
                        "client of rtuwire serve");
             }
         }
+        add_said(line.said_of_clients, *said);
         check_keys(file(), *said, {"listen", "units", "from"});
         serve_choices& to = line.serve.emplace();
         to.listen = {plain_in(*said, "listen").value_or("mbap://127.0.0.1:1502")};

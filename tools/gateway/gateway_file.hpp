@@ -72,7 +72,9 @@ struct line_plan {
     line_choices choices{};
     std::optional<serve_choices> serve{}; ///< it answers clients, too
     std::vector<device_plan> devices{};
-    std::string said{}; ///< all that the file and its register files say of the line: equal texts are equal lines
+    /// All that the file and its register files say of the line but for its clients: equal texts are equal lines.
+    std::string said{};
+    std::string said_of_clients{}; ///< the same of `serve`
 };
 
 struct gateway_plan {

@@ -83,11 +83,10 @@ std::string why_invalid(device_value const& value, reading const& it, std::vecto
 
 } // namespace
 
-opened_line::opened_line(line_plan const& plan, std::function<void(std::string const&)> tell) : plan_{plan}
+opened_line::opened_line(line_plan const& plan, std::function<void(std::string const&)> tell)
+    : plan_{plan}, tell_{std::move(tell)}
 {
-    if (plan.serve) {
-        clients_.emplace(choices{.line = plan.choices, .serve = *plan.serve}, std::move(tell));
-    }
+    serve(plan.serve);
     for (device_part& each : parts_of(plan)) {
         device_plan const& device = plan.devices[each.device];
         std::vector<chosen_register> registers;
@@ -96,6 +95,17 @@ opened_line::opened_line(line_plan const& plan, std::function<void(std::string c
         }
         register_reader reader{registers, {device.drive, device.names.get()}};
         parts_.push_back({std::move(each), std::move(reader)});
+    }
+}
+
+void opened_line::serve(std::optional<serve_choices> const& by)
+{
+    clients_.reset();
+    if (by) {
+        clients_.emplace(choices{.line = plan_.choices, .serve = *by}, tell_);
+    }
+    if (clients_ and line_) {
+        clients_->begin(*line_);
     }
 }
 

@@ -25,6 +25,9 @@ public:
     /// `tell` takes what there is to know of clients.
     opened_line(line_plan const& plan, std::function<void(std::string const&)> tell);
 
+    /// By another file; the connections of its clients end.
+    void serve(std::optional<serve_choices> const& by);
+
     clock::time_point now() const override { return clock::now(); }
     std::uint64_t unix_time() const override;
     void wait(clock::time_point until) override;
@@ -55,6 +58,7 @@ private:
     slot_value value_of(device_plan const& device, device_value const& value, register_reader const& from) const;
 
     line_plan const& plan_;
+    std::function<void(std::string const&)> tell_;
     std::vector<read_part> parts_{};
     std::optional<line_clients> clients_{}; ///< outlive the line
     std::optional<open_line> line_{};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -19,7 +20,7 @@ namespace tool::gateway {
 class running_line::parts {
 public:
     parts(std::shared_ptr<line_plan const> which, bool may_write, stored_writes& stored, std::function<void()> on_news)
-        : plan{std::move(which)}, board{*plan, may_write, std::move(on_news)}, stored_{stored}
+        : plan{std::move(which)}, board{*plan, may_write, std::move(on_news)}, stored_{stored}, plan_of_clients_{plan}
     {
         without_signals const kept;
         thread_ = std::thread{[this] { run(); }};
@@ -37,10 +38,22 @@ public:
         }
     }
 
+    void serve(std::shared_ptr<line_plan const> by)
+    {
+        std::scoped_lock const held{guard_};
+        has_new_clients_ = has_new_clients_ or by->said_of_clients != plan_of_clients_->said_of_clients;
+        plan_of_clients_ = std::move(by);
+    }
+
     std::shared_ptr<line_plan const> plan;
     line_board board;
 
 private:
+    std::shared_ptr<line_plan const> new_clients()
+    {
+        std::scoped_lock const held{guard_};
+        return std::exchange(has_new_clients_, false) ? plan_of_clients_ : nullptr;
+    }
     void run()
     {
         opened_line line{*plan, [this](std::string const& text) {
@@ -48,12 +61,18 @@ private:
                          }};
         line_rounds rounds{*plan, line, board, stored_};
         while (not shall_end_) {
+            if (auto const by = new_clients()) {
+                line.serve(by->serve);
+            }
             rounds.step();
         }
         rounds.end();
     }
 
     stored_writes& stored_;
+    std::mutex guard_{};
+    std::shared_ptr<line_plan const> plan_of_clients_;
+    bool has_new_clients_{false};
     std::atomic<bool> shall_end_{false};
     std::thread thread_{};
 };
@@ -66,6 +85,8 @@ running_line::running_line(std::shared_ptr<line_plan const> plan, bool may_write
 running_line::~running_line() = default;
 
 line_plan const& running_line::plan() const noexcept { return *parts_->plan; }
+
+void running_line::serve(std::shared_ptr<line_plan const> plan) { parts_->serve(std::move(plan)); }
 
 line_state running_line::state() const { return parts_->board.state(); }
 
@@ -114,7 +135,9 @@ void running_lines::apply(gateway_plan const& plan, std::function<void(running_l
     }
     lines_.clear(); // a port is free before its new line opens it
     for (std::size_t i = 0; i < next.size(); ++i) {
-        if (next[i] == nullptr) {
+        if (next[i] != nullptr) {
+            next[i]->serve(plan.lines[i]);
+        } else {
             next[i] = std::make_shared<running_line>(plan.lines[i], may_write_, stored_, on_news_);
         }
     }

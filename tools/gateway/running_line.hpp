@@ -71,7 +71,10 @@ public:
     /// Ends behind the request that is under way.
     ~running_line();
 
+    /// What it began with; its clients may be those of a later one.
     [[nodiscard]] line_plan const& plan() const noexcept;
+    /// Its clients are what this plan says, soon; nothing else of the line changes. Where it says the same of them, nothing does.
+    void serve(std::shared_ptr<line_plan const> plan);
     [[nodiscard]] line_state state() const;
     /// What is known of a device.
     [[nodiscard]] device_slot::content device(std::size_t which) const;
@@ -103,8 +106,8 @@ public:
     running_lines& operator=(running_lines const&) = delete;
     ~running_lines();
 
-    /// Lines that did not change go on; the others end, and those of the plan begin. All that end do so at once, each behind
-    /// its request; `last_look` sees each that has ended, with its last answers and events.
+    /// Lines that did not change go on, also where their clients did; the others end, and those of the plan begin. All that
+    /// end do so at once, each behind its request; `last_look` sees each that has ended, with its last answers and events.
     void apply(
         gateway_plan const& plan, std::function<void(running_line&)> const& last_look = [](running_line&) {});
     /// All end, and stay.

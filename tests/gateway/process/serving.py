@@ -154,7 +154,7 @@ def unplugged(check, program, _):
 
 
 def reload(check, program, _):
-    """A place that is taken is waited for; a reload takes it, changes and leaves it."""
+    """A place that is taken is waited for; a reload takes it, changes and leaves it, and the line goes on meanwhile."""
     number = free_port()
     with Folder() as folder, Broker(folder) as broker, Units({3: meter(), 4: {0: 1234}}) as line, \
             Client(broker.port, "rtuwire/#") as client:
@@ -171,13 +171,16 @@ def reload(check, program, _):
                 with Asker(number) as one:
                     check(one.read(4, 0) == [1234], "a client reads")
                     gateway.reload(the_file(broker, line.name, number, device, units="3"))
-                    check(one.answer() is None, "a reload that changes the line ends its connection")
+                    check(one.answer() is None, "a reload that changes who may read ends its connection")
                 check(listens(gateway, number, 2), "it listens again", gateway.said())
                 with Asker(number) as one:
                     check(one.read(4, 0) == -10 and one.read(3, 10) == [215], "by the new file")
                     gateway.reload(without)
                     check(one.answer() is None, "without the table it ends")
                 check(flows(client), "values go on")
+                check(gateway.said().count("its port is open") == 1, "the port of the line was open all the time", gateway.said())
+                numbers = [each.seq for each in states(client)]
+                check(numbers == sorted(numbers), "and no value began to count anew", numbers)
                 with socket.socket() as late:
                     check(late.connect_ex(("127.0.0.1", number)) != 0, "and nobody listens")
 
