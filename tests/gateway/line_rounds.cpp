@@ -365,6 +365,22 @@ TEST_CASE("what the first look at all devices takes is no round that was left ou
     CHECK(on.count(event_kind::note) == 0);
 }
 
+TEST_CASE("what a silent device takes of the line is no reason for longer periods")
+{
+    rounds_on_line on{3};
+    on.run_for(10s);
+    on.line.timeout = 1500ms;
+    on.line.units[1].is_there = false;
+    on.run_for(60s);
+    CHECK(on.board.state().overruns > 0);
+    CHECK(on.count(event_kind::note) == 0);
+    on.line.units[1].is_there = true;
+    on.run_for(10s);
+    on.line.response = 400ms; // of three is more than a second
+    on.run_for(10s);
+    CHECK(on.count(event_kind::note) == 1);
+}
+
 TEST_CASE("a setting is written once, answered, and read soon")
 {
     rounds_on_line on{1};

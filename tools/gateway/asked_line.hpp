@@ -15,6 +15,7 @@
 #include "device_slot.hpp"
 #include "gateway_file.hpp"
 #include "line/exchange_counts.hpp"
+#include "serve/serve_counts.hpp"
 #include "setting_request.hpp"
 
 namespace tool::gateway {
@@ -84,6 +85,8 @@ public:
     virtual part_reading read(std::size_t part) = 0;
     /// Once, where all that `write` looks at allows it, and `last_look` has nothing against it just before it leaves.
     virtual setting_outcome write(setting_request const& request, setting_look const& last_look) = 0;
+    /// Nothing where it serves none.
+    virtual std::optional<client_counts> clients() const { return {}; }
     /// Since it began, over all that was opened.
     virtual exchange_counts const& counts() const = 0;
 

@@ -41,7 +41,9 @@ void line_clients::serve_one()
         return;
     }
     bool const was_up = served_.has_line();
+    auto const sent = was_up ? line_->exchange().sent() : 0;
     served_.handle(*request);
+    requests_ += was_up ? line_->exchange().sent() - sent : 0;
     if (was_up and not served_.has_line()) {
         throw ended{exit_status::port, served_.why_lost()};
     }

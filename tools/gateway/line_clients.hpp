@@ -31,7 +31,11 @@ public:
     ~line_clients();
 
     /// This line is open; they are served whenever it waits.
-    void begin(open_line& line) { served_.begin(line); }
+    void begin(open_line& line)
+    {
+        line_ = &line;
+        served_.begin(line);
+    }
     /// It is away, and who asks is told so.
     void end() { served_.end(); }
     /// The gateway asks a unit: clients' requests for one that is silent do not hold that up.
@@ -40,6 +44,8 @@ public:
     void note_outcome(std::uint8_t unit, bool has_responded) { served_.note_outcome_of_other(unit, has_responded); }
     /// Whether an answer to a client may come from this unit yet.
     bool is_left_alone(std::uint8_t unit) const { return clients_.is_left_alone(unit, clock::now()); }
+
+    [[nodiscard]] client_counts counts() const { return {requests_, counts_.silences()}; }
 
     /// Answers one request, where one waits. Ends where the port fails.
     void serve_one();
@@ -77,6 +83,8 @@ private:
     events events_;
     served_clients clients_;
     served_line served_;
+    open_line* line_{nullptr};
+    std::uint64_t requests_{0};
     bool is_listening_{false};
     clock::time_point next_listening_{};
     std::string told_failure_{};

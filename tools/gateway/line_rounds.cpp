@@ -91,6 +91,7 @@ void line_rounds::show_state()
     state_.silences = counts.silent;
     state_.refusals = counts.refused;
     state_.errors = counts.damaged;
+    state_.clients = line_.clients();
     board_.set_state(state_);
 }
 
@@ -200,15 +201,20 @@ bool line_rounds::says_who(std::size_t which) const
 void line_rounds::schedule(part& one, bool is_live)
 {
     clock::time_point const now = line_.now();
+    std::uint64_t const silences = line_.counts().silent + line_.clients().value_or(client_counts{}).silences;
+    silent_at_ = std::exchange(silences_, silences) != silences ? now : silent_at_;
     settled_from_ = was_settled_ ? settled_from_ : now; // listening before the first request is none, either
     was_settled_ = is_settled();
     auto const missed_since = [&](clock::time_point since) {
         return now < since + one.period ? 0 : (now - since) / one.period;
     };
     auto const left_out = is_live ? missed_since(std::max(one.due, settled_from_)) : 0;
+    clock::time_point const due_before = one.due;
     one.due += one.period * (missed_since(one.due) + 1);
     state_.overruns += static_cast<std::uint64_t>(left_out);
-    if (left_out > 0 and not std::exchange(was_overrun_told_, true)) {
+    // What silence costs, longer periods do not mend.
+    bool const was_silent = silent_at_ > due_before;
+    if (left_out > 0 and not was_silent and not std::exchange(was_overrun_told_, true)) {
         tell(event_kind::note, {},
              "more is asked than the line carries: rounds are left out, longer periods would help");
     }

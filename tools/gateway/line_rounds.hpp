@@ -106,6 +106,8 @@ private:
     clock::time_point probes_from_{}; ///< a silent one is asked then, at the earliest
     clock::time_point opened_at_{};
     std::vector<std::string> told_losses_{}; ///< why the port is away, as it was told since it was confirmed
+    std::uint64_t silences_{0};              ///< so far
+    clock::time_point silent_at_{};          ///< when one was seen last
     bool was_overrun_told_{false};
     line_state state_{.why = "not opened yet"};
 };

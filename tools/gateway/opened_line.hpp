@@ -38,6 +38,10 @@ public:
     device_finding identify(std::size_t device, bool is_known_silent) override;
     part_reading read(std::size_t part) override;
     setting_outcome write(setting_request const& request, setting_look const& last_look) override;
+    std::optional<client_counts> clients() const override
+    {
+        return clients_ ? std::optional{clients_->counts()} : std::nullopt;
+    }
     exchange_counts const& counts() const override { return counts_; }
 
 private:

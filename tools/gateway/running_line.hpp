@@ -15,6 +15,7 @@
 
 #include "device_slot.hpp"
 #include "gateway_file.hpp"
+#include "serve/serve_counts.hpp"
 #include "setting_request.hpp"
 #include "stored_writes.hpp"
 
@@ -25,13 +26,14 @@ struct line_state {
     std::uint64_t time{0}; ///< microseconds since 1970, of the last look; 0 before the first
     std::uint64_t seq{0};  ///< of that look: rises with each
     std::uint64_t requests{0};
-    std::uint64_t silences{0}; ///< of those: nobody responded in time
-    std::uint64_t refusals{0}; ///< exceptions
-    std::uint64_t errors{0};   ///< all else that was no response: damaged, of another unit
-    std::uint64_t opened{0};   ///< so many times its port was opened
-    std::uint64_t overruns{0}; ///< rounds that were left out because those before took too long
-    bool is_up{false};         ///< its port is open
-    std::string why{};         ///< it is not
+    std::uint64_t silences{0};              ///< of those: nobody responded in time
+    std::uint64_t refusals{0};              ///< exceptions
+    std::uint64_t errors{0};                ///< all else that was no response: damaged, of another unit
+    std::uint64_t opened{0};                ///< so many times its port was opened
+    std::uint64_t overruns{0};              ///< rounds that were left out because those before took too long
+    std::optional<client_counts> clients{}; ///< where it has some
+    bool is_up{false};                      ///< its port is open
+    std::string why{};                      ///< it is not
 };
 
 enum class event_kind : std::uint8_t {

@@ -4,6 +4,7 @@
 
     python3 serving.py GATEWAY TOOL together|turns|dead|unplugged|reload
 """
+import json
 import socket
 import threading
 import time
@@ -54,6 +55,10 @@ def together(check, program, _):
                 wrong.sendall(b"GET / HTTP/1.1\r\n\r\n")
                 check(wrong.recv(16) == b"", "who speaks another protocol is hung up on")
             check(flows(client), "values go on")
+
+            def status():
+                return json.loads(client.last(f"{SITE}/line1/status"))
+            check(soon(lambda: status()["client_requests"] >= 4 and status()["client_silences"] == 1, LIMIT), "what clients asked is counted", status())
             check("only reads pass\n" in gateway.said() and "unit 5 is not served: units does not name it" in gateway.said(),
                   "what was refused is told in words of the file", gateway.said())
             check(gateway.end() == 0, "it ends")

@@ -80,6 +80,10 @@ std::string status_text(line_state const& state)
     all["errors"] = state.errors;
     all["opened"] = state.opened;
     all["overruns"] = state.overruns;
+    if (state.clients) {
+        all["client_requests"] = state.clients->requests;
+        all["client_silences"] = state.clients->silences;
+    }
     all["up"] = state.is_up;
     if (not state.is_up) {
         all["why"] = state.why;

@@ -12,6 +12,12 @@
 
 namespace tool {
 
+/// What was asked for clients of a line.
+struct client_counts {
+    std::uint64_t requests{0}; ///< that were sent, repetitions counted
+    std::uint64_t silences{0}; ///< that had no response in the end
+};
+
 class serve_counts {
 public:
     std::size_t clients{0}; ///< that are connected
@@ -33,6 +39,15 @@ public:
     }
 
     [[nodiscard]] std::string text() const;
+
+    [[nodiscard]] std::uint64_t silences() const
+    {
+        std::uint64_t all = 0;
+        for (auto const& [unit, count] : silences_) {
+            all += count;
+        }
+        return all;
+    }
 
 private:
     using pair_counts = std::map<std::pair<std::uint8_t, std::uint8_t>, std::uint64_t>;
