@@ -199,6 +199,9 @@ public:
     std::optional<fault> deliver(conversation& who, microseconds now) { return deliver(who, not who.settled(), now); }
     std::optional<fault> deliver(conversation& who, bool wants_turn, microseconds now)
     {
+        if (not seen_ and phase_ == phase::waiting and now >= until_) { // 5
+            settle(never_advanced, now);
+        }
         if (turns_.is_lost(who.whose, phase_ == phase::idle)) {
             who.whose.is_due = false;
             who.accept(cancelled, {});
@@ -434,11 +437,12 @@ private:
             return true;
         }
         standing const place = turns_.visit(who.whose);
-        if (not line_.is_quiet) {
+        bool const asks_in_vain = not seen_ and not is_prompt; // 5
+        if (not line_.is_quiet and not asks_in_vain) {
             return false;
         }
         turns_.others_wait = place == standing::waits;
-        if (place != standing::is_next) {
+        if (place != standing::is_next and not asks_in_vain) {
             wake(now);
         }
         return place == standing::is_next;

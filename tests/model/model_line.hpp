@@ -44,6 +44,7 @@ enum fault : int {
     bus_jam,
     transmit_stalled,
     cancelled,
+    never_advanced = 0xA8,
 };
 
 /// The check bytes, low one first.
