@@ -56,7 +56,12 @@ public:
         for (std::size_t i = back; i < chunk.size(); ++i) {
             strays += take(chunk[i], now) ? 0U : 1U;
         }
-        note_strays(strays, is_start and strays == chunk.size(), chunk[0], is_held);
+        bytes const rest{chunk.end() - static_cast<std::ptrdiff_t>(strays), chunk.end()};
+        bool const begins = is_start and strays == chunk.size();
+        if (strays > 0 and (begins ? is_held : rest.size() >= 4 and is_whole(rest))) { // 19
+            debts_.come_late(rest[0], now, how_.late_response);
+        }
+        note_strays(strays, begins, chunk[0], is_held);
     }
 
     void receive_error(microseconds now)
@@ -584,6 +589,10 @@ private:
             if (is_damaged and debts_.is_empty()) { // 17
                 sendings_.answered();
             }
+            if (found == wrong_unit or found == wrong_function or found == response_mismatch or
+                found == malformed) { // 19
+                debts_.come_late(frame[0], now, how_.late_response);
+            }
             refuse(found, is_damaged, now);
         }
     }
@@ -617,8 +626,10 @@ private:
             response_.assign(line_.frame.begin() + 1, line_.frame.end() - 2);
         }
         if (sendings_.unanswered > 0) { // 18
-            debts_.hold(unit(), now + limited(with_.pause + static_cast<microseconds>(sendings_.unanswered) *
-                                                                limited(sendings_.taken(now) + how_.late_response)));
+            debts_.hold(unit(),
+                        now + limited(with_.pause + static_cast<microseconds>(sendings_.unanswered) *
+                                                        limited(sendings_.taken(now) + how_.late_response)),
+                        sendings_);
             sendings_ = {};
         }
         settle(found, now);
@@ -680,7 +691,7 @@ private:
         echo_ = echo::over;
         ended_at_ = now;
         if (sendings_.unanswered > 0 and unit() != 0) {
-            debts_.hold(unit(), std::max(now, std::min(sendings_.begun, now + sendings_.allowed)));
+            debts_.hold(unit(), std::max(now, std::min(sendings_.begun, now + sendings_.allowed)), sendings_);
         } else if (with_.pause > 0 and unit() != 0) {
             debts_.hold(unit(), now + with_.pause);
         }

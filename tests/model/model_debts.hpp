@@ -38,7 +38,7 @@ class debts {
 public:
     explicit debts(std::size_t places) : rows_(places) {}
 
-    void hold(std::uint8_t unit, microseconds end)
+    void hold(std::uint8_t unit, microseconds end, sendings const& without = {})
     {
         row* own = nullptr;
         for (row& each : rows_) {
@@ -49,15 +49,34 @@ public:
         for (std::size_t i = 0; own == nullptr and i < rows_.size(); ++i) {
             if (rows_[i].holds == nobody) {
                 own = &rows_[i];
-                *own = {some, unit, end};
+                *own = {some, unit, end, {}};
             }
         }
         if (own == nullptr) {
             own = &rows_.back();
             own->holds = everyone;
         }
-        // By the clock: one that is over may look later, where no `advance` has ended it yet.
-        own->end = static_cast<std::int32_t>(end - own->end) >= 0 ? end : own->end;
+        if (without.unanswered > 0) {
+            bool const is_first = own->owes.unanswered == 0;
+            own->owes.first = is_first ? without.first : own->owes.first;
+            own->owes.allowed = limited((is_first ? 0 : own->owes.allowed) + without.allowed);
+            own->owes.unanswered += without.unanswered;
+        }
+        own->put_off(end);
+    }
+    /// Rule 19: an answer that nobody waits for any more.
+    void come_late(std::uint8_t unit, microseconds now, microseconds late)
+    {
+        auto const whose = std::find_if(rows_.begin(), rows_.end(), [&](row const& each) {
+            return (each.holds == everyone or (each.holds == some and each.unit == unit)) and each.owes.unanswered > 0;
+        });
+        if (unit == 0 or whose == rows_.end()) {
+            return;
+        }
+        whose->owes.answered();
+        microseconds const once = whose->owes.allowed + late;
+        microseconds const all = whose->owes.unanswered * limited(whose->owes.taken(now) + late);
+        whose->put_off(now + limited(std::min(once, all)));
     }
     bool is_empty() const
     {
@@ -98,6 +117,10 @@ private:
         whom holds{nobody};
         std::uint8_t unit{0};
         microseconds end{0};
+        sendings owes{};
+
+        /// By the clock: an end that is over may look later, where no `advance` has ended it yet.
+        void put_off(microseconds to) { end = static_cast<std::int32_t>(to - end) >= 0 ? to : end; }
     };
     std::vector<row> rows_;
 };

@@ -53,7 +53,7 @@ struct client_options {
     /// How much longer than `response_timeout` any unit on the line may take to respond. A unit that failed to respond
     /// in time gets no new request until all its outstanding responses must have come: client/line/request.hpp
     /// derives how long that is. A response that takes longer than both together may be taken for the response to
-    /// another request: RTU responses carry no number.
+    /// another request, where it is the first that the unit owes: RTU responses carry no number.
     duration late_response{milliseconds(200)};
     /// As in `retry_policy`.
     std::uint8_t retries{2};

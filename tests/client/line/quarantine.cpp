@@ -47,6 +47,63 @@ constexpr bool holds_all_where_places_are_few()
 }
 PROOF("where more units owe a response than there are places, all are held", holds_all_where_places_are_few)
 
+/// Of a unit that owes so many, the first sent at `begin`, whose waits may take 500 ms in all.
+constexpr owed_responses owed_by(std::uint32_t count) { return {begin, milliseconds(500), count}; }
+
+constexpr bool holds_on_for_what_is_owed()
+{
+    constexpr duration late = milliseconds(20);
+    quarantine<2> held;
+    held.begin(7, after(300), owed_by(3));
+    held.begin(9, after(200));
+    held.note_late(9, after(100), late); // held, but owes nothing
+    held.note_late(8, after(100), late);
+    bool ok = held.advance(after(200)) and not held.covers(9);
+    held.note_late(7, after(150), late); // two are left, each within 150 ms and 20
+    ok = ok and not held.advance(after(490) - microseconds(1)) and held.covers(7);
+    held.note_late(7, after(480), late); // one is left
+    ok = ok and not held.advance(after(980) - microseconds(1));
+    held.note_late(7, after(970), late); // none
+    held.note_late(7, after(975), late);
+    return ok and held.advance(after(980)) and not held.covers(7);
+}
+PROOF("a late answer holds its unit on for those that are still owed", holds_on_for_what_is_owed)
+
+constexpr bool holds_on_no_longer_than_all()
+{
+    constexpr duration late = milliseconds(20);
+    for (std::uint32_t const minutes : {1U, 35U, 36U, 50U, 71U}) { // the program was stopped
+        quarantine<1> held;
+        held.begin(7, after(300), owed_by(200));
+        instant const now{begin.microseconds + minutes * 60'000'000U};
+        held.note_late(7, now, late);
+        if (not held.advance(within_reach(begin, now + milliseconds(520)))) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("but no longer than all its sendings and their waits may take", holds_on_no_longer_than_all)
+
+constexpr bool owes_for_several()
+{
+    constexpr duration late = milliseconds(20);
+    quarantine<1> held;
+    held.begin(7, after(300), owed_by(1));
+    held.begin(7, after(350),
+               {after(310), milliseconds(40), 1}); // a stop passed the hold: the first is the older one still
+    held.note_late(7, after(340), late);
+    bool ok = not held.advance(after(700) - microseconds(1)) and held.advance(after(700));
+    held.begin(7, after(800), {after(750), milliseconds(40), 1}); // what was owed before is forgotten with its hold
+    held.note_late(7, after(790), late);
+    ok = ok and held.advance(after(800));
+    held.begin(7, after(900), owed_by(2));
+    held.begin(9, after(910)); // all units
+    held.note_late(5, after(880), late);
+    return ok and held.advance(after(880) + milliseconds(520)) and not held.covers(7);
+}
+PROOF("what is owed by several requests, and by all units, is added up", owes_for_several)
+
 constexpr bool compares_an_echo()
 {
     constexpr std::array<std::byte, 8> sent{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{4},

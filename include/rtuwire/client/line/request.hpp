@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/core/bytes.hpp>
@@ -246,8 +247,10 @@ public:
 // Until when a unit gets no new request, because an outstanding response could be taken for the response to the new
 // request: RTU responses carry no number.
 //
-// The rule, for a unit that answers its requests in their order and each within W = R + L of the moment at which it
-// could begin (R: response time-out with the response's own characters, L: late_response):
+// The account: each sending owes one answer, and the answer to another request pays for none. The rule holds for a unit that
+// answers its requests in their order and each within W = R + L of the moment at which it could begin (R: response time-out with
+// the response's own characters, L: late_response); on a system also for one that is later, or answers in another order, if
+// its first late answer comes while it is held:
 //
 //   ended by                              held until      why
 //   the response to the only sending      not held        there is no other
@@ -257,9 +260,53 @@ public:
 //                                                         the program may have been stopped for the rest
 //   no response, or given up              b               at each sending at t: b = max(b, t) + W, for the unit
 //                                                         begins when it has answered all before it
+//   on a system: a late answer at s       s + k (s-f+L)   the same for the k that are owed still, and no longer than
+//   while it is held                                      all their sendings and waits may take, and L: a unit that
+//                                                         babbles is held so long once for each sending
 //
-// A damaged response, or an exception that asks for time, counts as a response. No rule of time can tell apart the
-// responses of a unit that is slower than W and never responded in time.
+// Of several ends the latest counts, and what is owed is forgotten with the hold. A late answer is what begins on a quiet line
+// with the address of a held unit, or is a whole frame of it with a right CRC that answers something else. A stop passes a hold:
+// what it owes is added. A damaged response, or an exception that asks for time, counts as a response.
+//
+// No rule of time can tell apart the responses of a unit whose first late answer comes behind its hold, while another request
+// to it is under way: that gets it, where it has the form of its response. Of a late answer that nobody heard nothing is known.
+
+/// Sendings that have no response: since when, how long all of them with their waits may take, and how many.
+struct owed_responses {
+    instant first{0};
+    duration longest{};
+    std::uint32_t count{0};
+
+    /// How long all others may take, once one has come at `now`: each as long as the first may have taken, plus `late`. A
+    /// program that was stopped meanwhile counts no longer than its request may take.
+    [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
+    {
+        duration const each = shorter_of(now - first, longest) + late;
+        duration length{};
+        for (std::uint32_t i = 0; i < count; ++i) {
+            length = length + each;
+        }
+        return length;
+    }
+
+    /// Those of a later request are owed, too.
+    constexpr void add(owed_responses const& later) noexcept
+    {
+        if (count == 0) {
+            *this = later;
+        } else if (later.count != 0) {
+            count += later.count;
+            longest = longest + later.longest;
+        }
+    }
+
+    /// A late one has come. Returns how long the others may take, no longer than all together.
+    [[nodiscard]] constexpr duration take_late(instant now, duration late) noexcept
+    {
+        --count;
+        return shorter_of(all_that_follow(now, late), longest + late);
+    }
+};
 
 /// The attempts at one request.
 class retry_state {
@@ -339,20 +386,14 @@ public:
     /// A response to one of the sendings has come, whole or damaged.
     constexpr void note_response() noexcept { --unanswered_; }
 
-    /// The unit's pause, and how long the responses to all other sendings may take, once one has come at `now`: each as long
-    /// as the first may have taken, plus `late`. A program that was stopped meanwhile counts no longer than its request may take.
+    /// The unit's pause, and how long the responses to all other sendings may take, once one has come at `now`.
     [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
     {
-        duration const each = shorter_of(now - first_sent_, longest_) + late;
-        duration length = pause_;
-        for (unsigned i = 0; i < unanswered_; ++i) {
-            length = length + each;
-        }
-        return length;
+        return pause_ + owed().all_that_follow(now, late);
     }
 
-    /// How many sendings have no response.
-    [[nodiscard]] constexpr std::uint16_t unanswered() const noexcept { return unanswered_; }
+    /// The sendings that have no response.
+    [[nodiscard]] constexpr owed_responses owed() const noexcept { return {first_sent_, longest_, unanswered_}; }
 
     [[nodiscard]] constexpr bool is_first() const noexcept { return failures_ + pauses_ == 0; }
 
@@ -379,11 +420,34 @@ private:
 /// Stands for all units, in the place of a unit's address. No other unit has it: a reserved one is kept apart from none.
 inline constexpr std::uint8_t any_unit = 0xFF;
 
-/// One unit (0: none), and until when it gets no new request.
-struct quarantine_entry {
+/// One unit (0: none), until when it gets no new request, and what it owes. Where there is no system nothing is kept of that: it
+/// would take 470 bytes of flash.
+template <bool HasSystem> struct unit_in_quarantine {
     instant end;
     std::uint32_t unit; ///< small processors reach a word where they do not reach a byte
+    owed_responses owed{};
+
+    /// Besides, or nothing else.
+    constexpr void owe(owed_responses const& more, bool is_all) noexcept
+    {
+        owed.count = is_all ? 0 : owed.count;
+        owed.add(more);
+    }
+    [[nodiscard]] constexpr bool owes() const noexcept { return owed.count != 0; }
+    [[nodiscard]] constexpr duration take_late(instant now, duration late) noexcept
+    {
+        return owed.take_late(now, late);
+    }
 };
+template <> struct unit_in_quarantine<false> {
+    instant end;
+    std::uint32_t unit;
+
+    static constexpr void owe(owed_responses const&, bool) noexcept {}
+    [[nodiscard]] static constexpr bool owes() noexcept { return false; }
+    [[nodiscard]] static constexpr duration take_late(instant, duration) noexcept { return {}; }
+};
+using quarantine_entry = unit_in_quarantine<has_system>;
 
 /// The places of several units, and how many are in use: nobody looks at the others. The only place of one counts as used, and
 /// leaves its padding to its holder.
@@ -406,14 +470,27 @@ template <> struct quarantine_places<1> {
 /// unit.
 template <std::size_t Units> class quarantine {
 public:
-    /// A unit gets no new request until `end`, or until the later end that it has already.
-    constexpr void begin(std::uint8_t unit, instant end) noexcept
+    /// A unit gets no new request until `end`, or until the later end that it has already, and owes this besides.
+    constexpr void begin(std::uint8_t unit, instant end, owed_responses const& owed = {}) noexcept
     {
         quarantine_entry& own = place_of(unit);
         if (own.unit == nobody or reached(end, own.end)) {
             own.end = end;
         }
+        own.owe(owed, own.unit == nobody);
         own.unit = own.unit == nobody or own.unit == unit ? unit : any_unit;
+    }
+
+    /// A late answer of a unit has come: where it is held, what it owes besides may take as long again.
+    constexpr void note_late(std::uint8_t unit, instant now, duration late) noexcept
+    {
+        for (quarantine_entry& each : used()) {
+            if (each.unit != nobody and unit != nobody and stands_for(each, unit) and each.owes()) {
+                instant const end = now + each.take_late(now, late);
+                each.end = reached(end, each.end) ? end : each.end;
+                return;
+            }
+        }
     }
 
     /// Lets time pass. Returns whether one of the times was over.

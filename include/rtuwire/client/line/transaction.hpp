@@ -293,7 +293,7 @@ public:
     /// How the request ended for its unit: one that left and was given up without a response counts as timed out.
     constexpr errc heard_of_unit() const noexcept
     {
-        return error_ == errc::cancelled and retries_.unanswered() != 0 ? errc::timed_out : error_;
+        return error_ == errc::cancelled and retries_.owed().count != 0 ? errc::timed_out : error_;
     }
 
     /// Takes the outcome of a settled request.
@@ -430,12 +430,13 @@ private:
                 return settle_with_number(now);
             }
         }
-        bool const owes = retries_.unanswered() != 0;
+        bool const owes = retries_.owed().count != 0;
         if (owes or (retries_.pause() != duration{} and not is_broadcast())) {
             bool const has_response = not owes or error_ == errc::none or is_exception(error_);
             duration const late = late_response();
             quarantine_.begin(held_unit(),
-                              has_response ? now + retries_.all_that_follow(now, late) : retries_.owed_until(now));
+                              has_response ? now + retries_.all_that_follow(now, late) : retries_.owed_until(now),
+                              retries_.owed());
         }
         phase_ = phase::settled;
         deadline_ = now;
@@ -512,7 +513,18 @@ private:
         std::uint8_t const first = to_u8(bytes[0]);
         bool const is_late = is_start and first <= highest_unit and quarantine_.covers(first);
         observer_.on_stray(bytes, is_start, is_late ? first : std::uint8_t{0});
+        if constexpr (has_system) {
+            if (is_start or check_frame(bytes) == errc::none) {
+                note_late(first, now);
+            }
+        }
         on_line_activity(now);
+    }
+
+    /// What begins with this byte may be a late answer. At address 0 any held unit may be the one that answers there.
+    constexpr void note_late(std::uint8_t first, instant now) noexcept
+    {
+        quarantine_.note_late(Needs.has_only_unit and first == 0 ? any_unit : first, now, late_response());
     }
 
     /// A frame may have ended by its length. One that is the beginning of the request goes on: what looks like a response of
@@ -551,6 +563,9 @@ private:
         }
         if (not is_response) {
             echo_.suspect();
+            if (event == line_event::foreign or (event == line_event::mismatch and wrong != errc::line_echo)) {
+                note_late(to_u8(framer_.bytes(memory_)[0]), now);
+            }
         } else if (echo_.is_absent()) {
             echo_.forget();
         }
