@@ -34,11 +34,20 @@ series reader(unsigned unit, unsigned address, unsigned registers, unsigned most
     return made;
 }
 
-/// Each answer comes so long after its request as its register says, whatever comes before it.
-template <typename Link> void answer_out_of_order(scripted_line<Link>& line, std::uint64_t late)
+/// Each answer of the unit comes so long after its request as its register says, whatever comes before it. Late ones may come
+/// byte by byte.
+template <typename Link>
+void answer_out_of_order(scripted_line<Link>& line, std::uint64_t late, unsigned unit = 1, bool in_pieces = false)
 {
-    line.heard = [&line, late](frame_bytes const& frame) {
-        line.say(word_at(frame, 2) == slow_register and at(frame, 0) == 1 ? late : prompt, response_to(frame));
+    line.heard = [=, &line](frame_bytes const& frame) {
+        bool const is_late = word_at(frame, 2) == slow_register and at(frame, 0) == unit;
+        frame_bytes const response = response_to(frame);
+        if (not is_late or not in_pieces) {
+            return line.say(is_late ? late : prompt, response);
+        }
+        for (std::size_t i = 0; i < response.size(); ++i) {
+            line.say(late + line.length_of(i), {response[i]});
+        }
     };
 }
 
@@ -57,18 +66,16 @@ template <typename Try> void for_each_lateness(unsigned retries, Try try_it)
     }
 }
 
-} // namespace
-
-TEST_CASE(
-    "defect: of two late answers the second is not another request's, where the unit's answers overtake each other")
+/// One read of the slow register, then reads of others until the time is over, at each lateness.
+template <typename Series, typename Link> void check_late_answers(unsigned unit, bool in_pieces)
 {
     for (unsigned const retries : {1U, 2U, 3U}) {
         tally slow, fast;
         for_each_lateness(retries, [&](std::uint64_t late) {
-            scripted_line<client> line{client{office_line, options_of(retries)}, office_line};
-            answer_out_of_order(line, late);
-            series once = reader(1, slow_register, 1, 1, slow);
-            series often = reader(1, prompt_register, 50, 1'000, fast);
+            scripted_line<Link> line{Link{office_line, options_of(retries)}, office_line};
+            answer_out_of_order(line, late, unit, in_pieces);
+            Series once{reader(unit, slow_register, 1, 1, slow)};
+            Series often{reader(unit, prompt_register, 50, 1'000, fast)};
             line.run(12'000'000, [&](instant now) {
                 line.link.converse(once, now);
                 if (once.settled()) {
@@ -80,6 +87,26 @@ TEST_CASE(
         CHECK(fast.wrong == 0);
         CHECK(fast.answered > 10'000);
     }
+}
+
+struct alone_on_its_line : series {
+    static constexpr bool asks_only_unit = true;
+    explicit alone_on_its_line(series const& of) : series{of} {}
+};
+inline constexpr client_needs<> of_only_unit{.has_only_unit = true};
+
+} // namespace
+
+TEST_CASE("defect: of two late answers none is another request's, where the answers overtake each other")
+{
+    check_late_answers<series, client>(1, false);
+}
+
+TEST_CASE("defect: the same where the late answers come byte by byte") { check_late_answers<series, client>(1, true); }
+
+TEST_CASE("defect: the same of the only unit of a line, at address 0")
+{
+    check_late_answers<alone_on_its_line, basic_client<of_only_unit>>(0, false);
 }
 
 TEST_CASE("defect: the same on a bus, where a late answer comes while another unit is asked")
