@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 
 #include <rtuwire/ask/access.hpp>
+#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/serial_line/file_records.hpp>

@@ -12,6 +12,7 @@
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/wire/raw.hpp>
 
 #include "support/manual_unit.hpp"

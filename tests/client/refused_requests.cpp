@@ -4,6 +4,7 @@
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/client/statistics.hpp>
 
 #include <optional>
 

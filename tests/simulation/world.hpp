@@ -12,6 +12,7 @@
 #include "../support/asking.hpp"
 
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/sim/line/line.hpp>
 #include <rtuwire/sim/line/usb_adapter.hpp>

@@ -3,6 +3,8 @@
 // The client that counts for its line.
 #include "client.hpp"
 
+#include <rtuwire/client/statistics.hpp>
+
 int main()
 {
     rtuwire::basic_client<rtuwire::observed_by<rtuwire::line_statistics>> link{timing};

@@ -4,6 +4,7 @@
 #include "client.hpp"
 
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/client/statistics.hpp>
 
 namespace {
 

@@ -3,6 +3,7 @@
 // Not an image: each variable is as large as what its name says, for `nm` to read.
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/server/server.hpp>
 

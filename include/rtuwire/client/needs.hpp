@@ -12,7 +12,6 @@
 #include <type_traits>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>

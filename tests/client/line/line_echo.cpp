@@ -6,6 +6,8 @@
 #include "support/manual_unit.hpp"
 #include "support/proof.hpp"
 
+#include <rtuwire/client/statistics.hpp>
+
 using namespace rtuwire;
 using namespace rtuwire::detail;
 using test::asking;
