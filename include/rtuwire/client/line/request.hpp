@@ -277,13 +277,13 @@ struct owed_responses {
     duration longest{};
     std::uint32_t count{0};
 
-    /// How long all others may take, once one has come at `now`: each as long as the first may have taken, plus `late`. A
-    /// program that was stopped meanwhile counts no longer than its request may take.
-    [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
+    /// A pause, and how long all others may take, once one has come at `now`: each as long as the first may have taken, plus
+    /// `late`. A program that was stopped meanwhile counts no longer than its request may take.
+    [[nodiscard]] constexpr duration all_that_follow(instant now, duration late, duration pause = {}) const noexcept
     {
         duration const each = shorter_of(now - first, longest) + late;
-        duration length{};
-        for (std::uint32_t i = 0; i < count; ++i) {
+        duration length = pause;
+        for (std::uint32_t left = count; left != 0; --left) {
             length = length + each;
         }
         return length;
@@ -389,7 +389,7 @@ public:
     /// The unit's pause, and how long the responses to all other sendings may take, once one has come at `now`.
     [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
     {
-        return pause_ + owed().all_that_follow(now, late);
+        return owed().all_that_follow(now, late, pause_);
     }
 
     /// The sendings that have no response.

@@ -563,8 +563,10 @@ private:
         }
         if (not is_response) {
             echo_.suspect();
-            if (event == line_event::foreign or (event == line_event::mismatch and wrong != errc::line_echo)) {
-                note_late(to_u8(framer_.bytes(memory_)[0]), now);
+            if constexpr (has_system) {
+                if (event == line_event::foreign or (event == line_event::mismatch and wrong != errc::line_echo)) {
+                    note_late(to_u8(framer_.bytes(memory_)[0]), now);
+                }
             }
         } else if (echo_.is_absent()) {
             echo_.forget();
