@@ -12,6 +12,7 @@
 #include "support/one_in.hpp"
 
 #include "catalog/value_text.hpp"
+#include "words/time_words.hpp"
 
 namespace {
 
@@ -57,6 +58,18 @@ std::string sentence(std::string_view drive, std::string_view word, registers co
 bool holds(std::string const& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 } // namespace
+
+TEST_CASE("a time has one sign, and is rounded to a tenth of a millisecond")
+{
+    using tool::ms_text;
+    using us = std::chrono::microseconds;
+    CHECK(ms_text(us{1'540}) == "1.5 ms");
+    CHECK(ms_text(us{1'550}) == "1.6 ms");
+    CHECK(ms_text(us{-1'540}) == "-1.5 ms");
+    CHECK(ms_text(us{-300}) == "-0.3 ms");
+    CHECK(ms_text(us{-49}) == "0.0 ms");
+    CHECK(ms_text(us{0}) == "0.0 ms");
+}
 
 TEST_CASE("amounts are typed with their unit, prefixed or not, or with none")
 {

@@ -9,6 +9,7 @@
 
 #include "frame/hex_text.hpp"
 #include "line/end_wish.hpp"
+#include "words/time_words.hpp"
 #include "words/words.hpp"
 
 namespace tool {
@@ -214,19 +215,13 @@ std::string shortened(std::string const& text)
     return text.size() > most ? text.substr(0, most) + "..." : text;
 }
 
-std::string client_ms(line_time time)
-{
-    auto const tenths = time.count() / 100;
-    return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " ms";
-}
-
 /// The first of them: a client may ask without end.
-std::string client_ms(std::vector<line_time> const& times)
+std::string list_text(std::vector<line_time> const& times)
 {
     constexpr std::size_t most = 8;
     std::string text;
     for (std::size_t i = 0; i < std::min(times.size(), most); ++i) {
-        text += (i > 0 ? ", " : "") + client_ms(times[i]);
+        text += (i > 0 ? ", " : "") + ms_text(times[i]);
     }
     return text + (times.size() > most ? " and " + std::to_string(times.size() - most) + " more" : std::string{});
 }
@@ -466,8 +461,8 @@ judgement checked_client::judged_requests(std::string_view rule, client_run cons
     }
     if (rule == "ends") {
         return run.has_ended ? judgement{}
-                             : client_fails("it still ran " + client_ms(run.took) +
-                                            " behind its first request; the time-out is " + client_ms(call_.timeout));
+                             : client_fails("it still ran " + ms_text(run.took) +
+                                            " behind its first request; the time-out is " + ms_text(call_.timeout));
     }
     if (rule == "repeated" or rule == "not repeated") {
         bool const is_repeated = times > 1;
@@ -484,12 +479,11 @@ judgement checked_client::judged_requests(std::string_view rule, client_run cons
         all.push_back(gap);
         least = std::min(least, gap);
     }
-    std::string const gaps = client_ms(all);
+    std::string const gaps = list_text(all);
     if (rule == "told") {
         return {verdict::told,
                 "sent " + std::to_string(times) + (times == 1 ? " time" : " times") +
-                    (gaps.empty() ? "" : ", " + gaps + " apart") + "; ended " + client_ms(run.took) +
-                    " behind the first",
+                    (gaps.empty() ? "" : ", " + gaps + " apart") + "; ended " + ms_text(run.took) + " behind the first",
                 {}};
     }
     if (is_of_answers) {
@@ -497,21 +491,21 @@ judgement checked_client::judged_requests(std::string_view rule, client_run cons
         return port_.is_network()        ? client_not_tried("a network has no silences between frames")
                : run.requests.size() < 2 ? client_not_tried("the client sent one request only")
                : least < due
-                   ? client_fails("requests began " + gaps + " behind the answer; " + client_ms(due) + " is due")
+                   ? client_fails("requests began " + gaps + " behind the answer; " + ms_text(due) + " is due")
                    : judgement{};
     }
     bool const is_timeout = rule == "waits T";
     std::string given_up;
     if (is_timeout and not run.printed.empty()) {
         line_time const gap = between(run.requests.back().at, run.printed.front().at);
-        given_up = "given up " + client_ms(gap) + " behind the last request";
+        given_up = "given up " + ms_text(gap) + " behind the last request";
         least = std::min(least, gap);
     }
     line_time const due = is_timeout ? call_.timeout * 9 / 10 : turnaround;
     std::string const seen = gaps.empty() ? "" : "requests came " + gaps + " apart";
     return least >= due ? judgement{}
                         : client_fails(seen + (seen.empty() or given_up.empty() ? "" : ", ") + given_up + "; " +
-                                       client_ms(is_timeout ? call_.timeout : due) + " are due");
+                                       ms_text(is_timeout ? call_.timeout : due) + " are due");
 }
 
 judgement checked_client::judged_by_command(clause const& which)

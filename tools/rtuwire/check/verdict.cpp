@@ -11,6 +11,7 @@
 #include "check/hostile.hpp"
 #include "frame/hex_text.hpp"
 #include "line/end_wish.hpp"
+#include "words/time_words.hpp"
 
 namespace tool {
 
@@ -19,12 +20,6 @@ namespace {
 constexpr std::string_view listen_only{"D12"};
 
 judgement fails(std::string why) { return {.how = verdict::fails, .why = std::move(why)}; }
-
-std::string ms_text(line_time time)
-{
-    auto const tenths = (std::abs(time.count()) + 50) / 100;
-    return (time.count() < 0 ? "-" : "") + std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " ms";
-}
 
 std::vector<sent_piece> as_piece(line_bytes const& frame) { return {sent_piece{.bytes = frame}}; }
 

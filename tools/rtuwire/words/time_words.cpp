@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 
 #include "words/amount_words.hpp"
 
@@ -30,6 +31,13 @@ std::string seconds_text(std::chrono::microseconds time)
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.3g s", static_cast<double>(time.count()) / 1e6);
     return text.data();
+}
+
+std::string ms_text(std::chrono::microseconds time)
+{
+    auto const tenths = (std::abs(time.count()) + 50) / 100;
+    bool const is_before = time.count() < 0 and tenths > 0;
+    return (is_before ? "-" : "") + std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " ms";
 }
 
 } // namespace tool

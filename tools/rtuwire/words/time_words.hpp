@@ -22,4 +22,7 @@ inline constexpr double longest_time = 366.0 * 86'400.0; ///< seconds, that a co
 /// "2.25 s".
 [[nodiscard]] std::string seconds_text(std::chrono::microseconds time);
 
+/// "-1.5 ms": to a tenth.
+[[nodiscard]] std::string ms_text(std::chrono::microseconds time);
+
 } // namespace tool
