@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a line does with its time, live or from a capture.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "commands/commands.hpp"
@@ -22,7 +23,7 @@ record of_line(line_figures const& line)
 {
     return {{"seconds", line.seconds()},
             {"frames", whole(line.frames())},
-            {"load %", line.load() * 100.0},
+            {"load %", std::round(line.load() * 1'000.0) / 10.0},
             {"shortest silence ms", line.shortest_silence()},
             {"silences below t3.5", whole(line.too_close())},
             {"stray bytes", whole(line.stray_bytes())}};
