@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Lesson 12: a motor is started and stopped, and each order says how it ended: done, refused, in fault, local, no
-// response. Nothing else has to be asked to know whether the motor turns. The drive is simulated, so it can be
-// disturbed. The end shows what a program leaves behind, and how the next one begins. Builds on lesson 3.
+// response. A start that is done says that the drive runs by this reference, as was read back; its ramp has only begun,
+// and it may stand at 0.0 Hz yet: the speed is read. The drive is simulated, so it can be disturbed. The end shows what
+// a program leaves behind, and how the next one begins. Builds on lesson 3.
 #include <iostream>
 
 #include <rtuwire/altivar/atv320.hpp>
