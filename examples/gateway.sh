@@ -50,8 +50,11 @@ broker='' devices='' gateway='' shown=''
 clean_up() {
     for process in $shown $gateway $devices $broker; do
         kill "$process" 2>/dev/null || continue
-        (sleep 1 && kill "$process") >/dev/null 2>&1 & # the first is lost on a process that is not yet the program
+        (while sleep 1; do kill "$process"; done) >/dev/null 2>&1 & # the first is lost on what is not yet the program
+        again=$!
         wait "$process" 2>/dev/null || :
+        kill $again # before another process has that number
+        wait $again 2>/dev/null || :
     done
     rm -rf "$place"
 }
