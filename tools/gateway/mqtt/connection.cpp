@@ -78,13 +78,18 @@ public:
     {
         auto begun = std::make_shared<beginning>();
         without_signals const kept;
-        std::thread{[begun, client = std::move(client), broker, on_news = std::move(on_news)]() mutable {
-            begun->connect(client.get(), broker);
-            on_news();
-            client.reset(); // the last use of the library
+        ++threads_left; // first: it may end before this goes on
+        try {
+            std::thread{[begun, client = std::move(client), broker, on_news = std::move(on_news)]() mutable {
+                begun->connect(client.get(), broker);
+                on_news();
+                client.reset(); // the last use of the library
+                --threads_left;
+            }}.detach();
+        } catch (...) {
             --threads_left;
-        }}.detach();
-        ++threads_left;
+            throw;
+        }
         return begun;
     }
 
