@@ -489,7 +489,8 @@ TEST_CASE("two lines listen at two places")
     for (auto const& [one, other] : same) {
         std::string const found = folder.refusal(two(one, other));
         CAPTURE(one, other, found);
-        CHECK(found.find(": listen: the line 'line1' listens at " + one + " already: " + other + " is ") != found.npos);
+        CHECK(found.ends_with(": listen: " + other + " is taken: the line 'line1' listens at " + one +
+                              "; say another port"));
     }
     std::pair<std::string, std::string> const others[]{{"mbap://127.0.0.1:1502", "mbap://127.0.0.1:1503"},
                                                        {"mbap://127.0.0.1:1502", "mbap://192.168.1.7:1502"},

@@ -507,8 +507,8 @@ private:
         }
         for (served_place const& each : served_places_) {
             if (each.at.port == place.at.port and are_one_place(each.at.host, place.at.host)) {
-                refuse(where, "listen: the line '" + each.line + "' listens at " + each.word +
-                                  " already: " + place.word + " is another address or has another port");
+                refuse(where, "listen: " + place.word + " is taken: the line '" + each.line + "' listens at " +
+                                  each.word + "; say another port");
             }
         }
         served_places_.push_back(std::move(place));
