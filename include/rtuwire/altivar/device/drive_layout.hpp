@@ -12,6 +12,7 @@
 // its step; `{}` is none, or not known. A limit may be another register: "TFR". What is documented does not say so.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include <rtuwire/cia402/transition.hpp>
@@ -95,6 +96,29 @@ struct drive_layout {
     std::uint16_t cmi_orders{0x0003};       ///< the bits of CMI that do something: factory settings, save
     std::uint16_t other_cmd{0};             ///< where the other family has its control word, which this one refuses
     safeguard_layout safeguards{};
+    /// What a check reads before an order, in the order of `safeguard`; 0: the drive has none. It follows from the rest.
+    std::array<std::uint16_t, 15> checked{checked_of(*this)};
+
+    [[nodiscard]] static constexpr std::array<std::uint16_t, 15> checked_of(drive_layout const& all) noexcept
+    {
+        safeguard_layout const& at = all.safeguards;
+        bool const is_local_first = at.is_local_at_power_up;
+        return {all.hsp,
+                all.lsp,
+                all.frs,
+                all.nsp != 0 ? all.nsp : all.sds,
+                at.nto != 0 ? all.cmi : at.sll,
+                at.tto,
+                at.chcf,
+                at.cd1,
+                at.fr1,
+                at.flo,
+                at.atr,
+                at.dotd,
+                is_local_first ? at.tcc : std::uint16_t{0},
+                is_local_first ? at.inputs : std::uint16_t{0},
+                all.eta};
+    }
 };
 
 /// What a simulated drive does besides, which no controller has to know: a drive that differs from an ATV320 here has

@@ -88,7 +88,7 @@ template <typename T> [[nodiscard]] constexpr bool takes_its_cycle() noexcept
 template <typename T> struct drive_conditions {
     static constexpr bool control_word = true, status_word = true, last_fault = true, extended_words = true,
                           output_frequency = true, references = true, safeguards = true, supervised = true,
-                          scanner = true, single_functions = true, cycle_reads_the_state = true,
+                          checked = true, scanner = true, single_functions = true, cycle_reads_the_state = true,
                           cycle_writes_an_order = true, cycle_is_contiguous = true, cycle_fits_the_scanner = true,
                           cycle_fits_its_function = true;
 };
@@ -101,6 +101,7 @@ template <has_all_parts T> struct drive_conditions<T> {
     static constexpr bool references = has_register<T, T::speed_reference> and has_register<T, T::frequency_reference>;
     static constexpr bool safeguards = has_every_safeguard<T>();
     static constexpr bool supervised = has_timeout<T>();
+    static constexpr bool checked = T::layout.checked == altivar::drive_layout::checked_of(T::layout);
     static constexpr bool scanner = has_every_scanner_register<T>();
     static constexpr bool single_functions =
         implements<T>(function_code::read_holding_registers) and implements<T>(function_code::write_single_register);
@@ -118,9 +119,9 @@ template <has_all_parts T> struct drive_conditions<T> {
     static constexpr bool cycle_fits_its_function = takes_its_cycle<T>();
 
     static constexpr bool all = control_word and status_word and last_fault and extended_words and output_frequency and
-                                references and safeguards and scanner and single_functions and cycle_reads_the_state and
-                                cycle_writes_an_order and cycle_is_contiguous and cycle_fits_the_scanner and
-                                cycle_fits_its_function;
+                                references and safeguards and checked and scanner and single_functions and
+                                cycle_reads_the_state and cycle_writes_an_order and cycle_is_contiguous and
+                                cycle_fits_the_scanner and cycle_fits_its_function;
 };
 
 /// Whether a device is asked by its own address: a reserved one reaches whatever hangs on the line.
@@ -166,6 +167,8 @@ template <typename T> struct drive_check {
                                      "that the drive has none");
     static_assert(found::supervised, "a drive stops by itself where its line goes silent: by layout.safeguards.sll and "
                                      ".tto, or by .fixed_timeout, which longest_silence covers");
+    static_assert(found::checked, "a layout that was changed has other registers to check: set layout.checked to "
+                                  "drive_layout::checked_of(layout)");
     static_assert(found::scanner, "the drive's table lacks registers of its scanner");
     static_assert(found::single_functions, "a drive has functions 03 and 06: its start and its stop use them");
     static_assert(found::cycle_reads_the_state, "a cycle reads the status word, layout.eta, and cycle.speed");

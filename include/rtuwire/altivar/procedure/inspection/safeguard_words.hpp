@@ -6,6 +6,7 @@
 // Internal: may change with any version.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
@@ -73,27 +74,10 @@ public:
     /// The register to read; 0 where the drive has none.
     [[nodiscard]] constexpr std::uint16_t address_of(safeguard what, drive_layout const& layout) const noexcept
     {
-        safeguard_layout const& at = layout.safeguards;
-        bool const is_local_first = at.is_local_at_power_up;
-        switch (what) {
-        case safeguard::highest: return has_limits_ ? layout.hsp : std::uint16_t{0};
-        case safeguard::lowest: return has_limits_ ? layout.lsp : std::uint16_t{0};
-        case safeguard::rated_frequency: return is_by_speed_ ? layout.frs : std::uint16_t{0};
-        case safeguard::rated_speed:
-            return is_by_speed_ ? (layout.nsp != 0 ? layout.nsp : layout.sds) : std::uint16_t{0};
-        case safeguard::reaction: return at.nto != 0 ? layout.cmi : at.sll;
-        case safeguard::timeout: return at.tto;
-        case safeguard::mode: return at.chcf;
-        case safeguard::command: return mode_ == together ? std::uint16_t{0} : at.cd1;
-        case safeguard::reference: return at.fr1;
-        case safeguard::local_input: return at.flo;
-        case safeguard::restart: return at.atr;
-        case safeguard::disable: return at.dotd;
-        case safeguard::wiring: return is_local_first ? at.tcc : std::uint16_t{0};
-        case safeguard::inputs: return is_local_first ? at.inputs : std::uint16_t{0};
-        case safeguard::status: break;
-        }
-        return layout.eta;
+        bool const is_left_out = what <= safeguard::lowest        ? not has_limits_
+                                 : what <= safeguard::rated_speed ? not is_by_speed_
+                                                                  : what == safeguard::command and mode_ == together;
+        return is_left_out ? std::uint16_t{0} : layout.checked[static_cast<std::size_t>(what)];
     }
 
     /// Why a word forbids an order; `succeeded` where it does not. Notes in the report what it says besides.
