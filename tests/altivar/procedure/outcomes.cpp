@@ -249,14 +249,14 @@ TEST_CASE("at their limits all end, and none leaves a command behind")
 
 TEST_CASE("a script that wishes on after its limit gets one request, and no pause")
 {
-    by_hand<procedure_runner<tireless>> register_read{{unit_id{7}, tireless{action_kind::read}, milliseconds(100)}};
+    by_hand<procedure_runner<tireless>> register_read{{unit_id{7}, milliseconds(100), action_kind::read}};
     register_read.hear_word(0); // in time
     register_read.now = register_read.now + milliseconds(200);
     register_read.hear_word(0); // the one that is granted
     CHECK(register_read.conversation.settled());
     CHECK(register_read.conversation.reason().kind == outcome_kind::aborted);
 
-    by_hand<procedure_runner<tireless>> pausing{{unit_id{7}, tireless{action_kind::pause}, milliseconds(100)}};
+    by_hand<procedure_runner<tireless>> pausing{{unit_id{7}, milliseconds(100), action_kind::pause}};
     CHECK_FALSE(pausing.asks());
     CHECK(pausing.conversation.settled());
     CHECK(pausing.conversation.reason().kind == outcome_kind::aborted);

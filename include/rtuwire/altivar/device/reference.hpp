@@ -45,10 +45,15 @@ struct alignas(4) reference_write { // two words, else a copy is a call of memcp
 
     /// The same speed in the other direction. A word of 0 has no sign, and a motor with LSP above 0 turns at LSP for it:
     /// turned round, 0 is one count. -32768 has no counterpart: it is 32767.
-    [[nodiscard]] constexpr reference_write reversed() const noexcept
+    [[nodiscard]] constexpr reference_write reversed() const noexcept { return {address, reversed_word(), is_speed}; }
+    [[nodiscard]] constexpr std::uint16_t reversed_word() const noexcept
     {
         bool const has_no_other = (word & 0x7FFFU) == 0;
-        return {address, static_cast<std::uint16_t>(has_no_other ? ~unsigned{word} : 0U - word), is_speed};
+        return static_cast<std::uint16_t>(has_no_other ? ~unsigned{word} : 0U - word);
+    }
+    [[nodiscard]] constexpr reference_write in(run_direction direction) const noexcept
+    {
+        return {address, direction == run_direction::reverse ? reversed_word() : word, is_speed};
     }
 
     /// One that would be 0 in the drive's steps of 0.1 Hz, and would lose its sign with that: at least this many rpm.

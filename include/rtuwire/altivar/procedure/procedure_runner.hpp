@@ -448,7 +448,8 @@ private:
     instant pause_end_{0};
     stage stage_{stage::made};
     time_left left_{time_left::enough};
-    std::array<std::byte, 8> frame_{};
+    alignas(4) std::array<std::byte, 8> frame_{
+        detail::filled<8>(std::byte{0xFF})}; ///< any: where all is 0, GCC calls memset
     detail::in_word<bool> has_lost_{false};
     detail::in_word<bool> is_other_family_{false};
     detail::in_word<bool> counts_old_{false};
@@ -467,8 +468,9 @@ inline constexpr stop_kind stop_functions{
 /// A procedure with its conversation.
 template <typename Script> class procedure_runner : public procedure_conversation {
 public:
-    constexpr procedure_runner(unit_id its_unit, Script const& procedure, duration its_limit) noexcept
-        : procedure_conversation{kind, its_unit, its_limit}, procedure_{procedure}
+    /// The procedure is made in its place, of these parts.
+    constexpr procedure_runner(unit_id its_unit, duration its_limit, auto const&... parts) noexcept
+        : procedure_conversation{kind, its_unit, its_limit}, procedure_{parts...}
     {}
 
     /// Begins anew, as it was made: its limit counts from the next `advance`. One under way is given up first, as if it

@@ -307,8 +307,7 @@ public:
     template <device_type Device>
     constexpr set_channel(station<Device> const& its_drive, channel_settings<Device> const& wanted,
                           terminal_options const& its_options = {}, duration its_limit = milliseconds(10'000)) noexcept
-        : procedure_runner{its_drive.unit(),
-                           channel_procedure{drive_check<Device>::layout, wanted.words(), its_options}, its_limit}
+        : procedure_runner{its_drive.unit(), its_limit, drive_check<Device>::layout, wanted.words(), its_options}
     {}
 
     /// The register that the outcome is about; 0 for none.

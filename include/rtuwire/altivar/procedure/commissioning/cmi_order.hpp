@@ -17,7 +17,7 @@ namespace rtuwire {
 inline namespace RTUWIRE_BUILD {
 namespace altivar {
 
-/// One of the orders in CMI.
+/// One of the orders in CMI, which are those below.
 struct cmi_order {
     std::uint16_t bit;
     at_rest_rules rules;      ///< how the drive is checked before it
@@ -47,10 +47,10 @@ class cmi_order_procedure : public procedure {
 public:
     constexpr cmi_order_procedure(drive_layout const& layout, terminal_options const& options,
                                   cmi_order const& order) noexcept
-        : cmi_order_procedure{layout, at_rest_procedure{layout, options, order.rules}, order}
+        : procedure{layout}, look_{layout, options, order.rules}, order_{&order}
     {}
 
-    [[nodiscard]] constexpr cmi_order_procedure anew() const noexcept { return {layout(), look_.anew(), order_}; }
+    [[nodiscard]] constexpr cmi_order_procedure anew() const noexcept { return {layout(), look_.anew(), *order_}; }
 
     constexpr action step(event what) noexcept
     {
@@ -73,7 +73,7 @@ private:
 
     constexpr cmi_order_procedure(drive_layout const& layout, at_rest_procedure const& look,
                                   cmi_order const& order) noexcept
-        : procedure{layout}, look_{look}, order_{order}
+        : procedure{layout}, look_{look}, order_{&order}
     {}
 
     constexpr action ask(stage next) noexcept
@@ -94,9 +94,9 @@ private:
             // Orders in the word that was read are not repeated: factory settings, save, recall.
             control_ = static_cast<std::uint16_t>(word & ~layout().cmi_orders);
             stage_ = stage::ordering;
-            return once(to_rearrange(layout().cmi, static_cast<std::uint16_t>(control_ | order_.bit)));
+            return once(to_rearrange(layout().cmi, static_cast<std::uint16_t>(control_ | order_->bit)));
         }
-        if ((word & order_.bit) != 0) {
+        if ((word & order_->bit) != 0) {
             return undo(outcome_kind::not_taken);
         }
         return was_confirmed_ ? end(outcome_kind::succeeded) : end(outcome_kind::executed_unconfirmed, error_);
@@ -121,7 +121,7 @@ private:
 
     constexpr action after_wait() noexcept
     {
-        return order_.is_read_back ? ask(stage::confirming) : undo(outcome_kind::executed_unconfirmed, error_);
+        return order_->is_read_back ? ask(stage::confirming) : undo(outcome_kind::executed_unconfirmed, error_);
     }
 
     /// A unit is lost before a request is sent, never while it is under way.
@@ -158,7 +158,7 @@ private:
     }
 
     at_rest_procedure look_;
-    cmi_order order_;
+    cmi_order const* order_;
     std::uint16_t control_{0};
     errc error_{errc::none};
     stage stage_{stage::looking};

@@ -101,10 +101,8 @@ public:
     /// Sets the scanner of this drive, within `limit`.
     template <device_type Device>
     explicit constexpr configure_scanner(station<Device> const& drive, duration limit = milliseconds(5'000)) noexcept
-        : procedure_runner{
-              drive.unit(),
-              scanner_procedure{drive_check<Device>::layout, Device::scanner, Inputs::addresses, Outputs::addresses},
-              limit}
+        : procedure_runner{drive.unit(),      limit, drive_check<Device>::layout, Device::scanner, Inputs::addresses,
+                           Outputs::addresses}
     {
         static_assert(Device::scanner.words > 0, "this device has no scanner");
         static_assert(Inputs::count <= Device::scanner.words and Outputs::count <= Device::scanner.words,

@@ -25,8 +25,7 @@ public:
     template <device_type Device>
     explicit constexpr recall_from_eeprom(station<Device> const& its_drive, terminal_options const& its_options = {},
                                           duration its_limit = milliseconds(8'000)) noexcept
-        : procedure_runner{its_drive.unit(),
-                           cmi_order_procedure{drive_check<Device>::layout, its_options, recall_order}, its_limit}
+        : procedure_runner{its_drive.unit(), its_limit, drive_check<Device>::layout, its_options, recall_order}
     {
         static_assert((drive_check<Device>::layout.cmi_orders & recall_order.bit) != 0,
                       "this device cannot recall its saved settings over the line");

@@ -130,7 +130,7 @@ public:
     /// Releases this drive, within `limit`, but for the last look.
     explicit constexpr release_link(station<device> const& drive, terminal_options const& options = {},
                                     duration limit = milliseconds(3'000)) noexcept
-        : procedure_runner{drive.unit(), link_procedure{true, options}, limit}
+        : procedure_runner{drive.unit(), limit, true, options}
     {}
 };
 
@@ -140,7 +140,7 @@ class activate_link : public procedure_runner<link_procedure> {
 public:
     /// Takes this drive, within `limit`.
     explicit constexpr activate_link(station<device> const& drive, duration limit = milliseconds(3'000)) noexcept
-        : procedure_runner{drive.unit(), link_procedure{false, terminal_options{.run_inputs = 0}}, limit}
+        : procedure_runner{drive.unit(), limit, false, terminal_options{.run_inputs = 0}}
     {}
 };
 

@@ -34,8 +34,7 @@ public:
     constexpr restore_factory_settings(station<Device> const& drive, losing_control_and_address,
                                        terminal_options const& options = {},
                                        duration limit = milliseconds(5'000)) noexcept
-        : procedure_runner{drive.unit(), cmi_order_procedure{drive_check<Device>::layout, options, factory_order},
-                           limit}
+        : procedure_runner{drive.unit(), limit, drive_check<Device>::layout, options, factory_order}
     {}
 
     /// Refused: the statement is missing.

@@ -129,7 +129,7 @@ public:
     /// Saves the settings of this drive, within `limit`.
     template <device_type Device>
     explicit constexpr save_to_eeprom(station<Device> const& drive, duration limit = milliseconds(5'000)) noexcept
-        : procedure_runner{drive.unit(), save_procedure{drive_check<Device>::layout}, limit}
+        : procedure_runner{drive.unit(), limit, drive_check<Device>::layout}
     {}
 };
 

@@ -25,9 +25,9 @@ struct terminal_options {
 };
 
 /// How the check depends on the write that follows.
-struct at_rest_rules {
-    bool accepts_fault{false};   ///< the write may be the remedy for the fault
-    bool ends_three_wire{false}; ///< the write may restore two-wire control, where a closed LI1 runs
+struct alignas(2) at_rest_rules { // copied as one
+    bool accepts_fault{false};    ///< the write may be the remedy for the fault
+    bool ends_three_wire{false};  ///< the write may restore two-wire control, where a closed LI1 runs
 };
 
 /// Decides the check, word by word. It ends as `succeeded` in states 2, 3 and 4, and in 8 with `accepts_fault`, with

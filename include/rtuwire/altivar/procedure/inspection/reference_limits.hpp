@@ -22,7 +22,7 @@ enum class beyond_limits : std::uint8_t {
 };
 
 /// The limits of one drive.
-struct reference_limits {
+struct alignas(4) reference_limits { // two words, else a copy is a call of memcpy
     static constexpr std::uint16_t unread = 0xFFFF;
 
     std::uint16_t lowest{0};       ///< LSP, 0.1 Hz; 0 where it was not read

@@ -200,7 +200,7 @@ public:
     template <device_type Device>
     explicit constexpr check_supervision(station<Device> const& its_drive, supervision_options const& its_options = {},
                                          duration its_limit = milliseconds(10'000)) noexcept
-        : procedure_runner{its_drive.unit(), supervision_procedure{drive_check<Device>::layout, its_options}, its_limit}
+        : procedure_runner{its_drive.unit(), its_limit, drive_check<Device>::layout, its_options}
     {}
 
     /// Whether the drive may be ordered, accepted risks included.

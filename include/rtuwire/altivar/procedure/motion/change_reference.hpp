@@ -115,7 +115,7 @@ private:
                 limits_.lowest = word;
                 return confirm(true);
             }
-            told_ = word == 0 ? reference_ : told_;
+            told_.word = word == 0 ? reference_.word : told_.word;
             return read_scale();
         case asked::standing: return told_.is_within(word) ? read_scale() : read_limits();
         case asked::highest: limits_.highest = word; return go_on_to_speed();
@@ -148,7 +148,7 @@ private:
                                      : outcome_kind::aborted);
         }
         if (not is_written_) {
-            told_ = reference_.keeping(status);
+            told_.word = reference_.keeping(status).word;
             return ask(asked::control, layout().cmd);
         }
         if ((status & reference_limited_bit) != 0) {
@@ -196,7 +196,7 @@ private:
         if ((control & layout().halt) != 0) {
             return end(outcome_kind::halted);
         }
-        told_ = told_.under(control);
+        told_.word = told_.under(control).word;
         if (reference_.is_zero()) {
             return not told_.is_zero() and layout().lsp != 0 ? ask(asked::lowest, layout().lsp) : read_scale();
         }
@@ -260,12 +260,13 @@ private:
     constexpr action tell() noexcept
     {
         asked_ = asked::status;
-        told_ = told_.at_least(limits_.least_speed());
+        told_.word = limits_.signed_for_drive(told_);
         return to_enable(told_.address, told_.word);
     }
 
     reference_write reference_;
-    reference_write told_{reference_}; ///< as this drive has to be told it
+    reference_write told_{reference_.address, reference_.word,
+                          reference_.is_speed}; ///< as this drive has to be told it
     reference_limits limits_{};
     outcome_kind shown_{outcome_kind::pending}; ///< at the look before
     std::uint16_t rated_{0};                    ///< FRS
@@ -291,7 +292,7 @@ public:
     constexpr change_reference(station<Device> const& drive, std::type_identity_t<reference<Device>> const& to,
                                duration limit = milliseconds(30'000),
                                beyond_limits beyond = beyond_limits::refuse) noexcept
-        : procedure_runner{drive.unit(), reference_procedure{drive_check<Device>::layout, to.write(), beyond}, limit}
+        : procedure_runner{drive.unit(), limit, drive_check<Device>::layout, to.write(), beyond}
     {}
 };
 

@@ -60,7 +60,7 @@ public:
     /// Stops this drive, within `limit`.
     constexpr direct_stop(station<device> const& drive, direct_stop_by how,
                           duration limit = milliseconds(30'000)) noexcept
-        : procedure_runner{drive.unit(), ordered_stop_procedure{layout_stopping_by(how), stop_by::dc_injection}, limit}
+        : procedure_runner{drive.unit(), limit, layout_stopping_by(how), stop_by::dc_injection}
     {}
 };
 
@@ -104,6 +104,11 @@ class direct_start_procedure : public order_procedure {
 public:
     constexpr direct_start_procedure(reference_write reference, supervision_procedure const& check) noexcept
         : order_procedure{device::layout, reference}, check_{check}
+    {}
+
+    /// Its check is made in its place, of these parts.
+    constexpr direct_start_procedure(reference_write reference, auto const&... of_check) noexcept
+        : order_procedure{device::layout, reference}, check_{device::layout, of_check...}
     {}
 
     [[nodiscard]] constexpr direct_start_procedure anew() const noexcept { return {wanted(), check_.anew()}; }
@@ -318,17 +323,12 @@ public:
     /// Checks this drive, and starts it within `limit`.
     constexpr direct_start(station<device> const& drive, reference<device> const& at,
                            duration limit = milliseconds(3'000), supervision_options const& options = {}) noexcept
-        : procedure_runner{
-              drive.unit(),
-              direct_start_procedure{at.write(), supervision_procedure{device::layout, options, at.write().is_speed}},
-              limit}
+        : procedure_runner{drive.unit(), limit, at.write(), options, at.write().is_speed}
     {}
     /// Starts it with what a `check_supervision` found before, within `limit`.
     constexpr direct_start(station<device> const& drive, reference<device> const& at, duration limit,
                            supervision_report const& found, beyond_limits beyond = beyond_limits::refuse) noexcept
-        : procedure_runner{drive.unit(),
-                           direct_start_procedure{at.write(), supervision_procedure{device::layout, found, beyond}},
-                           limit}
+        : procedure_runner{drive.unit(), limit, at.write(), found, beyond}
     {}
 
     /// What was found before the order.

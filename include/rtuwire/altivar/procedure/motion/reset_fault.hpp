@@ -160,7 +160,7 @@ public:
     /// Resets the fault of this drive, within the limit.
     template <device_type Device>
     explicit constexpr reset_fault(station<Device> const& its_drive, duration its_limit = milliseconds(2'000)) noexcept
-        : procedure_runner{its_drive.unit(), reset_procedure{drive_check<Device>::layout}, its_limit}
+        : procedure_runner{its_drive.unit(), its_limit, drive_check<Device>::layout}
     {}
 };
 

@@ -49,6 +49,8 @@ enum class start_stage : std::uint32_t {
 /// Internal.
 class sent_commands {
 public:
+    constexpr sent_commands() noexcept {} // not defaulted: GCC would first set all to 0 by a call of memset
+
     constexpr void note(cia402::command sent) noexcept
     {
         last_ = sent;
@@ -156,8 +158,15 @@ class start_procedure : public order_procedure {
 public:
     constexpr start_procedure(drive_layout const& layout, reference_write reference, run_direction direction,
                               supervision_procedure const& check) noexcept
-        : order_procedure{layout, direction == run_direction::reverse ? reference.reversed() : reference},
+        : order_procedure{layout, reference.in(direction)},
           is_contradictory_{direction == run_direction::reverse and reference.is_reverse()}, check_{check}
+    {}
+
+    /// Its check is made in its place, of these parts.
+    constexpr start_procedure(drive_layout const& layout, reference_write reference, run_direction direction,
+                              auto const&... of_check) noexcept
+        : order_procedure{layout, reference.in(direction)},
+          is_contradictory_{direction == run_direction::reverse and reference.is_reverse()}, check_{layout, of_check...}
     {}
 
     [[nodiscard]] constexpr start_procedure anew() const noexcept
@@ -471,9 +480,9 @@ private:
         return take_back(kind, error, may_run ? stop_by::ramp : stop_by::freewheel);
     }
 
-    reference_write told_{wanted()};            ///< as this drive has to be told it
-    std::uint16_t control_{0};                  ///< the control word that it has to hold
-    reference_limits kept_{};                   ///< of a drive that limits the reference
+    reference_write told_{wanted().address, wanted().word, wanted().is_speed}; ///< as this drive has to be told it
+    reference_limits kept_{};                                                  ///< of a drive that limits the reference
+    std::uint16_t control_{0};                                                 ///< the control word that it has to hold
     outcome_kind shown_{outcome_kind::pending}; ///< by its status, once it runs as ordered
     cia402::state last_{cia402::state::unknown};
     stage stage_{stage::meeting};
@@ -504,11 +513,8 @@ public:
     constexpr start(station<Device> const& its_drive, std::type_identity_t<reference<Device>> const& at,
                     run_direction direction = run_direction::forward, duration its_limit = milliseconds(3'000),
                     supervision_options const& its_options = {}) noexcept
-        : procedure_runner{
-              its_drive.unit(),
-              start_procedure{drive_check<Device>::layout, at.write(), direction,
-                              supervision_procedure{drive_check<Device>::layout, its_options, at.write().is_speed}},
-              its_limit}
+        : procedure_runner{its_drive.unit(), its_limit,   drive_check<Device>::layout, at.write(),
+                           direction,        its_options, at.write().is_speed}
     {}
 
     /// The same without the check's reads: `found` is the report of a `check_supervision` of this drive that ended as
@@ -518,10 +524,7 @@ public:
     constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
                     run_direction direction, duration limit, supervision_report const& found,
                     beyond_limits beyond = beyond_limits::refuse) noexcept
-        : procedure_runner{drive.unit(),
-                           start_procedure{drive_check<Device>::layout, at.write(), direction,
-                                           supervision_procedure{drive_check<Device>::layout, found, beyond}},
-                           limit}
+        : procedure_runner{drive.unit(), limit, drive_check<Device>::layout, at.write(), direction, found, beyond}
     {}
 
     /// What was found before the first order.

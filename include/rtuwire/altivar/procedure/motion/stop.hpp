@@ -471,8 +471,7 @@ public:
     template <device_type Device>
     explicit constexpr stop(station<Device> const& its_drive, stop_by its_mode = stop_by::ramp,
                             duration its_limit = milliseconds(30'000), stop_begin begin = stop_begin::at_once) noexcept
-        : procedure_runner{its_drive.unit(), ordered_stop_procedure{drive_check<Device>::layout, its_mode, begin},
-                           its_limit}
+        : procedure_runner{its_drive.unit(), its_limit, drive_check<Device>::layout, its_mode, begin}
     {}
 
     /// For a stop of all, of which this is a part: where a drive of the declared type has its control word, and where one of the
