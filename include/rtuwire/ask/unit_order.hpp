@@ -88,9 +88,44 @@ enum class stop_words : std::uint8_t {
     return --passes_left == 0;
 }
 
+/// Its marks and times.
+struct unit_marks {
+    // Small processors reach bytes with short instructions only where they are near.
+    std::uint8_t unit{0}; ///< 0: a free place
+    bool is_ordered{false};
+    bool is_starting{false}; ///< the command to run was sent; neither seen with power nor told to stop since
+    bool is_doubtful{false}; ///< it may have been without power since `confirmed` was read
+    bool is_lost{false};
+    bool was_lost{false};   ///< the last stop was a loss
+    std::uint8_t misses{0}; ///< missing responses in a row
+    std::uint8_t tolerated{0};
+    std::uint8_t answers_left{
+        0}; ///< not 0: its motor may run, and no order or stop is in force; lost after so many answers
+    std::uint8_t passes_left{0}; ///< that the stop under way may miss before it counts as given up
+    stop_words words{stop_words::none};
+    hold held{hold::by_its_stop};
+    std::uint16_t confirmed{0}; ///< the control word that was read to be that of the drive profile; 0: none
+    std::uint16_t seen{0};      ///< when the stop under way visited last
+    instant words_end{0};
+    instant silence_end{0};
+    instant heard{0};   ///< when the last request was made that it answered
+    instant on_line{0}; ///< when a request to it may have been on the line
+    duration silence{};
+};
+
+/// Its stamps.
+struct unit_stamps {
+    std::uint32_t last_stop{0};  ///< the stamp of the last stop or loss
+    std::uint32_t last_order{0}; ///< of the last order to run; 0: none
+    std::uint32_t last_fault{0}; ///< of the last time that it was read in fault, or of the last stop of all units
+    std::uint32_t rearranged{0}; ///< of the last request that rearranged it
+    std::uint32_t holder{0};     ///< of the stop under way; 0: none
+    std::uint32_t looks{0};      ///< all answers since it was left or told to stop, one to a commander being several
+};
+
 /// What is known of one unit. All zero where nothing is known, so that a `constinit` client lives in .bss; the times
 /// are written before they are read.
-struct unit_order {
+struct unit_order : unit_marks, unit_stamps {
     // Its orders.
 
     /// Whether another order to run came later than one of this stamp.
@@ -300,34 +335,6 @@ struct unit_order {
         is_lost = false;
         return true;
     }
-
-    // Small processors reach bytes with short instructions only where they are near.
-    std::uint8_t unit{0}; ///< 0: a free place
-    bool is_ordered{false};
-    bool is_starting{false}; ///< the command to run was sent; neither seen with power nor told to stop since
-    bool is_doubtful{false}; ///< it may have been without power since `confirmed` was read
-    bool is_lost{false};
-    bool was_lost{false};   ///< the last stop was a loss
-    std::uint8_t misses{0}; ///< missing responses in a row
-    std::uint8_t tolerated{0};
-    std::uint8_t answers_left{
-        0}; ///< not 0: its motor may run, and no order or stop is in force; lost after so many answers
-    std::uint8_t passes_left{0}; ///< that the stop under way may miss before it counts as given up
-    stop_words words{stop_words::none};
-    hold held{hold::by_its_stop};
-    std::uint16_t confirmed{0}; ///< the control word that was read to be that of the drive profile; 0: none
-    std::uint16_t seen{0};      ///< when the stop under way visited last
-    instant words_end{0};
-    instant silence_end{0};
-    instant heard{0};   ///< when the last request was made that it answered
-    instant on_line{0}; ///< when a request to it may have been on the line
-    duration silence{};
-    std::uint32_t last_stop{0};  ///< the stamp of the last stop or loss
-    std::uint32_t last_order{0}; ///< of the last order to run; 0: none
-    std::uint32_t last_fault{0}; ///< of the last time that it was read in fault, or of the last stop of all units
-    std::uint32_t rearranged{0}; ///< of the last request that rearranged it
-    std::uint32_t holder{0};     ///< of the stop under way; 0: none
-    std::uint32_t looks{0};      ///< all answers since it was left or told to stop, one to a commander being several
 };
 inline constexpr unit_order nothing_known{};
 
@@ -394,7 +401,8 @@ public:
         used_.set(Units - at > used_.count() ? Units - at : used_.count());
         unit_order& own = places_[at];
         forget(own);
-        own = others_;
+        static_cast<unit_marks&>(own) = others_; // in two parts: for the whole GCC calls memcpy
+        static_cast<unit_stamps&>(own) = others_;
         own.unit = unit;
         own.held = others_.held == hold::by_its_stop ? hold::by_another_stop : others_.held;
         return &own;
