@@ -101,49 +101,77 @@ public:
     [[nodiscard]] constexpr std::uint16_t command() const noexcept { return outputs_[words::command_at]; }
     [[nodiscard]] constexpr std::uint16_t reference() const noexcept { return outputs_[words::reference_at]; }
 
-    /// The requests.
-    constexpr byte_view read(read_holding_registers const& what) noexcept { return encoded(what); }
-    constexpr byte_view read_one(std::uint16_t address) noexcept { return encoded(read_holding_registers{address, 1}); }
+    /// The requests. Their sizes are constants of the drive, and checked as such: see `takes_its_cycle`.
+    constexpr byte_view read(read_holding_registers const& what) noexcept
+    {
+        return single(function_code::read_holding_registers, what.start, what.count);
+    }
+    constexpr byte_view read_one(std::uint16_t address) noexcept
+    {
+        return single(function_code::read_holding_registers, address, 1);
+    }
     constexpr byte_view read_inputs() noexcept
     {
-        return encoded(read_holding_registers{words::read_from, words::inputs});
+        return single(function_code::read_holding_registers, words::read_from, words::inputs);
     }
     constexpr byte_view say(std::uint16_t command) noexcept
     {
         outputs_[words::command_at] = command;
-        return encoded(write_single_register{Device::layout.cmd, command});
+        return single(function_code::write_single_register, Device::layout.cmd, command);
     }
     constexpr byte_view write(std::uint16_t command, std::uint16_t reference) noexcept
     {
-        return encoded(write_multiple_registers{words::write_to, with(command, reference)});
+        put(function_code::write_multiple_registers, words::write_to, words::outputs);
+        return with_words(6, command, reference);
     }
     constexpr byte_view exchange(std::uint16_t command, std::uint16_t reference) noexcept
     {
-        return encoded(
-            read_write_multiple_registers{words::read_from, words::inputs, words::write_to, with(command, reference)});
+        put(function_code::read_write_multiple_registers, words::read_from, words::inputs);
+        detail::put_u16(&frame_[6], words::write_to);
+        detail::put_u16(&frame_[8], words::outputs);
+        return with_words(10, command, reference);
     }
 
 private:
-    template <detail::pdu Request> constexpr byte_view encoded(Request const& request) noexcept
+    /// Unit, function and two numbers, with which each of these requests begins.
+    [[gnu::noinline]] constexpr void put(function_code function, std::uint16_t address, std::uint16_t value) noexcept
     {
-        auto const frame = encode_into(frame_, unit_, request);
-        return byte_view{frame_}.first(frame ? frame->size() : 0);
+        frame_[0] = detail::to_byte(unit_.byte());
+        frame_[1] = static_cast<std::byte>(function);
+        detail::put_u16(&frame_[2], address);
+        detail::put_u16(&frame_[4], value);
     }
 
-    constexpr register_view with(std::uint16_t command, std::uint16_t reference) noexcept
+    constexpr byte_view single(function_code function, std::uint16_t address, std::uint16_t value) noexcept
+    {
+        put(function, address, value);
+        return whole(6);
+    }
+
+    /// The outputs behind a request's first bytes.
+    [[gnu::noinline]] constexpr byte_view with_words(std::size_t at, std::uint16_t command,
+                                                     std::uint16_t reference) noexcept
     {
         outputs_[words::command_at] = command;
         outputs_[words::reference_at] = reference;
-        for (std::size_t i = 0; i < words::outputs; ++i) {
-            output_block_.set(i, outputs_[i]);
+        frame_[at] = detail::to_byte(2U * words::outputs);
+        ++at;
+        for (std::uint16_t const word : outputs_) {
+            detail::put_u16(&frame_[at], word);
+            at += 2;
         }
-        return output_block_;
+        return whole(at);
+    }
+
+    [[gnu::noinline]] constexpr byte_view whole(std::size_t size) noexcept
+    {
+        detail::append_crc(frame_, size - 1);
+        return byte_view{frame_}.first(size + 2);
     }
 
     std::array<std::byte, longest.request> frame_{};
     std::array<std::uint16_t, words::outputs> outputs_{};
     std::array<std::uint16_t, words::inputs> inputs_{};
-    register_block<words::outputs> output_block_{};
     std::uint32_t in_use_{0};
     unit_id unit_;
 };

@@ -191,20 +191,21 @@ private:
         }
         constexpr std::size_t words_from = 2;
         register_view const read{response.pdu().subspan(words_from)};
+        std::uint16_t const word = read[0];
         switch (agenda_.now()) {
-        case step::look: return agenda_.take_look(read[0]);
-        case step::look_for_fault: return agenda_.take_fault_code(read[0], preparation_.succeeded());
-        case step::prepare: preparation_.take(read, frames_.outputs_in_use()); return go_on_preparing(read[0]);
+        case step::look: return agenda_.take_look(word);
+        case step::look_for_fault: return agenda_.take_fault_code(word, preparation_.succeeded());
+        case step::prepare: preparation_.take(read, frames_.outputs_in_use()); return go_on_preparing(word);
         case step::check_control:
-        case step::compare_control: return agenda_.compare(read[0], frames_.command());
+        case step::compare_control: return agenda_.compare(word, frames_.command());
         case step::compare_meaning:
             if (has_io_profile) {
-                bool const is_ours = is_drive_profile(read[0]);
+                bool const is_ours = is_drive_profile(word);
                 meaning_ = is_ours ? Device::layout.cmd : detail::other_meaning;
                 return agenda_.compare(is_ours ? 1 : 0, 1);
             }
-            return agenda_.compare(read[0], frames_.command());
-        case step::compare_reference: return agenda_.compare(read[0], frames_.reference());
+            return agenda_.compare(word, frames_.command());
+        case step::compare_reference: return agenda_.compare(word, frames_.reference());
         case step::exchange:
         case step::read:
         case step::observe:
