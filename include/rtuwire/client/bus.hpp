@@ -228,16 +228,17 @@ public:
 
 private:
     struct slot {
-        slot_options options{};
-        instant not_before{0}; ///< the end of the rest
-        instant last_asked{0};
-        duration order_gap{}; ///< from one request to the next while its unit is ordered; 0: none
+        // Small processors reach bytes with short instructions only where they are near.
         std::uint8_t unit{0}; ///< of the last request; `failures` and `has_responded` are its
         std::uint8_t failures{0};
         bool is_resting{false};
         bool is_here{false};    ///< came by in this pass
         bool is_present{false}; ///< came by in this pass or the one before, not settled
         bool has_responded{false};
+        instant not_before{0}; ///< the end of the rest
+        instant last_asked{0};
+        duration order_gap{}; ///< from one request to the next while its unit is ordered; 0: none
+        slot_options options{};
     };
 
     constexpr void begin(client_options const& its_options, bus_options const& share) noexcept
@@ -258,12 +259,8 @@ private:
     template <typename Conversation>
     [[gnu::noinline]] constexpr void visit_slot(std::size_t index, Conversation& conversation, instant now) noexcept
     {
-        slot& own = slots_[index];
-        stays_awake_ = stays_awake_ or stays_awake<Conversation>;
-        own.is_here = true;
-        own.is_present = not conversation.settled();
-        bool const wants_turn =
-            not conversation.settled() and not is_urgent_ and not must_wait(conversation, index, now);
+        slot& own = note_arrival(index, stays_awake<Conversation>, conversation.settled());
+        bool const wants_turn = not conversation.settled() and not must_wait(conversation, index, now);
         if (auto const came = client_.deliver(conversation, wants_turn, now)) {
             note_health(own, *came, now);
         }
@@ -271,10 +268,19 @@ private:
         own.order_gap = order_gap_of(conversation);
         wake_at(wake_of(conversation), now);
         detail::turn_result turn = detail::turn_result::waits;
-        if (not is_urgent_ and not must_wait(conversation, index, now)) {
+        if (not must_wait(conversation, index, now)) {
             turn = client_.ask(conversation, now, own_retry_policy(own));
         }
         note_visit(index, turn, now);
+    }
+
+    [[gnu::noinline]] constexpr slot& note_arrival(std::size_t index, bool stays, bool is_settled) noexcept
+    {
+        slot& own = slots_[index];
+        stays_awake_ = stays_awake_ or stays;
+        own.is_here = true;
+        own.is_present = not is_settled;
+        return own;
     }
 
     /// Whether a conversation's request is a stop request: no rest and no probing holds it back.
@@ -297,6 +303,9 @@ private:
     template <typename Conversation>
     constexpr bool must_wait(Conversation const& conversation, std::size_t index, instant now) noexcept
     {
+        if (is_urgent_) {
+            return true;
+        }
         if constexpr (detail::commanding_conversation<Conversation>) {
             slot const& own = slots_[index];
             bool const is_new_here = conversation.unit().byte() != own.unit and not own.is_resting;
