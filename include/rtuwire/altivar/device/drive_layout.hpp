@@ -64,7 +64,8 @@ struct safeguard_layout {
     std::uint16_t dotd{0};            ///< how "disable operation" stops; 0: on the ramp
     std::uint16_t inputs{0};          ///< image of the logic inputs, LI1 in bit 0
     std::uint16_t tcc{0};             ///< two-wire or three-wire control by the terminals
-    bool is_local_at_power_up{false}; ///< terminals command until the link does
+    bool is_local_at_power_up{false}; ///< terminals command until the link does: only then a start reads the two above;
+                                      ///< `set_channel`, a restore and the like read them of every drive
 };
 
 /// Addresses and behaviour of one drive, as a controller has to know them. Its scanner and its cycle are in

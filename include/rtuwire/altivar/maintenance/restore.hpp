@@ -122,7 +122,8 @@ private:
 /// where it refused some or reads back otherwise, and `failed()` is how many; `other_family`; `refused_while_running`;
 /// `overwritten` where its command is not 0000; `run_input_closed`; `unknown_register` where its inputs cannot be read;
 /// `in_fault`; `started_by_terminals`; `silent` and `refused`, by `error`; `executed_unconfirmed` where that was after a
-/// write of the link's own; `overruled` where this client ordered the unit to run, or a stop came later.
+/// write of the link's own; `overruled` where this client ordered the unit to run, or a stop came later. A
+/// lost response that a repetition or a look made good is not in it: the client's statistics count those (`timeout`).
 ///
 /// The map's groups outlive it; what it calls does not throw.
 ///
@@ -139,6 +140,8 @@ private:
 /// | save      | as `save_procedure` | read                                  | fail                | fail        |
 /// | settle    | nothing for 50 ms   | look                                  |                     |             |
 /// | look      | as `last_look`      | read; the end, where "fail" began it  | as `last_look`      | the same    |
+///
+/// "No response" stands behind the client's `retries`; the word of a parameter is never repeated.
 ///
 /// Where no block is left, the next step of the agenda begins; before its first check the drive is identified anew. Settle
 /// and look stand behind each step with a delicate write, one that needs more than `write_care::rest`. "Fail" looks first

@@ -7,11 +7,12 @@
 //     {"NST",  11202, cfg, logic_input,     {}, {}, 0,  "Input for freewheel stop", &stop_input},
 //      mnemonic, address, who may write it, what it holds, least, most, as delivered, name, what it is for a restore
 //
-// `rw` is written at any time, `cfg` only at rest, `ro` never. It holds amounts, `in<...>` their unit and step, or one of a
-// list of choices, or bits. Limits and the value as delivered are counts of that step; `{}` is none, or not known. A limit
-// may be another register: "TFR". Behind the name stands only what is special: why it is no ordinary setting, and which
-// register sets the size of its steps. What it is for a restore: an ordinary setting, one that needs a decision of its own,
-// or nothing that a configuration consists of.
+// `rw` is written at any time, `cfg` only at rest, `ro` never; each drive's file defines these three, with the
+// provenance. Where that is `inferred`, as of an ATV320, a restore writes the row only `with_inferred`. It holds
+// amounts, `in<...>` their unit and step, or one of a list of choices, or bits. Limits and the value as delivered are
+// counts of that step; `{}` is none, or not known. A limit may be another register: "TFR". Behind the name stands only
+// what is special: why it is no ordinary setting, and which register sets the size of its steps. What it is for a
+// restore: an ordinary setting, one that needs a decision of its own, or nothing that a configuration consists of.
 #pragma once
 
 #include <cstdint>
