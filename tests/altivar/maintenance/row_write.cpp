@@ -32,10 +32,11 @@ constexpr bool is_told_right()
     is_right = is_right and not one.has_written();
     one = confirmed;
     is_right = is_right and one.go_without(errc::timed_out) == verdict::end;
-    is_right = is_right and is(one, told::unconfirmed, std::nullopt, errc::timed_out);
+    is_right = is_right and is(one, told::confirmed, std::nullopt, errc::timed_out) and not one.has_written();
     one = confirmed;
     is_right = is_right and one.go_without(errc::server_device_busy) == verdict::next;
-    is_right = is_right and is(one, told::unconfirmed, std::nullopt, errc::server_device_busy);
+    is_right = is_right and is(one, told::confirmed, std::nullopt, errc::server_device_busy);
+    is_right = is_right and not one.has_written();
     return is_right;
 }
 

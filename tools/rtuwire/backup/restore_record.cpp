@@ -54,7 +54,8 @@ std::size_t restore_record::count(restore_outcome outcome) const noexcept
 bool is_write(restore_outcome outcome) noexcept
 {
     return outcome == restore_outcome::written or outcome == restore_outcome::not_read_back or
-           outcome == restore_outcome::unconfirmed or outcome == restore_outcome::differs;
+           outcome == restore_outcome::confirmed or outcome == restore_outcome::unconfirmed or
+           outcome == restore_outcome::differs;
 }
 
 bool is_worth_a_line(restored_parameter const& of, saved_settings const& wanted) noexcept
@@ -63,6 +64,7 @@ bool is_worth_a_line(restored_parameter const& of, saved_settings const& wanted)
     case restore_outcome::planned:
     case restore_outcome::written:
     case restore_outcome::not_read_back:
+    case restore_outcome::confirmed:
     case restore_outcome::unconfirmed:
     case restore_outcome::differs:
     case restore_outcome::refused:

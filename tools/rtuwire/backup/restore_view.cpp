@@ -62,6 +62,7 @@ bool is_bad(restore_outcome outcome) noexcept
     switch (outcome) {
     case restore_outcome::refused:
     case restore_outcome::differs:
+    case restore_outcome::confirmed:
     case restore_outcome::unconfirmed:
     case restore_outcome::not_reached:
     case restore_outcome::out_of_limits:

@@ -228,8 +228,8 @@ private:
 /// |              | another, confirmed      | the next  | differs                                        |
 /// |              | another, refused        | the next  | refused                                        |
 /// |              | another, no response    | check     | the fifth time: end, not_reached               |
-/// |              | exception               | the next  | unconfirmed; refused where the write was       |
-/// |              | other                   | end       | unconfirmed                                    |
+/// |              | exception               | the next  | refused where the write was; else as below     |
+/// |              | other                   | end       | confirmed where the write was, or unconfirmed  |
 class row_write {
 public:
     enum class verdict : std::uint8_t {
@@ -292,8 +292,7 @@ public:
         if (is_exception(error_)) {
             return tell(restore_outcome::refused, error_, verdict::next);
         }
-        report_.held = std::nullopt;
-        return tell(restore_outcome::unconfirmed, error, verdict::next);
+        return tell_unknown(error, verdict::next);
     }
 
     [[nodiscard]] constexpr restore_report const& report() const noexcept { return report_; }
@@ -313,10 +312,13 @@ private:
         return not is_given_up and (of == error_category::no_response or of == error_category::reception);
     }
 
-    constexpr verdict lose(errc error) noexcept
+    constexpr verdict lose(errc error) noexcept { return tell_unknown(error, verdict::end); }
+
+    /// It was sent, and what the drive holds since was not read.
+    constexpr verdict tell_unknown(errc error, verdict next) noexcept
     {
         report_.held = std::nullopt;
-        return tell(restore_outcome::unconfirmed, error, verdict::end);
+        return tell(is_confirmed_ ? restore_outcome::confirmed : restore_outcome::unconfirmed, error, next);
     }
 
     constexpr verdict tell(restore_outcome outcome, errc error, verdict next) noexcept

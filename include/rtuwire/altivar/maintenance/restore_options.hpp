@@ -117,6 +117,7 @@ enum class restore_outcome : std::uint8_t {
     planned,           ///< will be written; in a dry run, would be
     written,           ///< written, and read back
     not_read_back,     ///< the drive confirmed it, and may answer elsewhere from now on
+    confirmed,         ///< the drive confirmed it; what it holds since was not read, by `error`
     unconfirmed,       ///< sent, and no response: it holds the old word or the new one
     differs,           ///< confirmed, and reads back otherwise
     refused,           ///< the drive refused it, by the exception in `error`
@@ -141,6 +142,7 @@ enum class restore_outcome : std::uint8_t {
     case restore_outcome::planned: return "to be written";
     case restore_outcome::written: return "written and read back";
     case restore_outcome::not_read_back: return "written, not read back: the drive may answer elsewhere";
+    case restore_outcome::confirmed: return "confirmed, not read back";
     case restore_outcome::unconfirmed: return "sent, not confirmed: old or new";
     case restore_outcome::differs: return "written, and reads back otherwise";
     case restore_outcome::refused: return "refused by the drive";
@@ -177,7 +179,7 @@ enum class restore_outcome : std::uint8_t {
 struct restore_report {
     restore_outcome outcome;
     std::optional<std::uint16_t> held{}; ///< what the drive held when it was last read; empty where it was not
-    errc error{errc::none};              ///< of a parameter that is refused, unreadable, unconfirmed or not reached
+    errc error{errc::none};              ///< of one refused, unreadable, confirmed, unconfirmed or not reached
 
     friend constexpr bool operator==(restore_report const&, restore_report const&) noexcept = default;
 };
