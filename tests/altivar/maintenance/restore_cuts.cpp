@@ -34,6 +34,7 @@ void check_reports(told_list const& all, word_list const& words, paper_drive con
         INFO(code);
         REQUIRE(all.of.count(code) == 1);
         restore_report const last = all.last(code);
+        CHECK(std::ranges::count(all.of.at(code), told::not_reached, &restore_report::outcome) <= 1);
         std::uint16_t const old = before.word(row.address);
         std::uint16_t const held = now.word(row.address);
         auto const wanted = words.find(code);

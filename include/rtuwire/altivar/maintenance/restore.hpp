@@ -647,10 +647,12 @@ private:
             so.kind = outcome_kind::executed_unconfirmed;
         }
         if (so.kind != outcome_kind::succeeded and so.kind != outcome_kind::not_taken) {
-            for (std::uint16_t i = index_; is_in_block_ and i < walk_.block().count; ++i) {
-                plan_.tell_last_word(row_in_block(i), words_[i], so.error);
+            std::uint32_t const position = is_in_block_ ? walk_.block().start + index_ : walk_.position();
+            std::uint16_t i = index_;
+            for (; is_in_block_ and i < walk_.block().count; ++i) {
+                plan_.tell_last_word(row_in_block(i), words_[i], position, so.error);
             }
-            plan_.tell_not_reached(is_in_block_ ? walk_.block().start + index_ : walk_.position(), so.error);
+            plan_.tell_not_reached(position, is_in_block_ ? walk_.block().start + i : position, so.error);
         }
         reason_ = so;
         go_to(stage::ended);

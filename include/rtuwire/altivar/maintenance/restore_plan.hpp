@@ -306,21 +306,25 @@ public:
         });
     }
 
-    /// Tells of all parameters that the restore, which ends, did not come to; of this step those from `position` on.
-    constexpr void tell_not_reached(std::uint32_t position, errc error) noexcept
+    /// Tells of all parameters that the restore, which ends, did not come to; of this step those from `position` on, but for
+    /// those before `block_end`, which `tell_last_word` tells of.
+    constexpr void tell_not_reached(std::uint32_t position, std::uint32_t block_end, errc error) noexcept
     {
         map_.for_each([&](parameter const& row, parameter_group const& group) {
-            if (judgement(row) == restore_outcome::planned and not progress_.was_reached(row, position)) {
+            bool const is_told = row.address >= position and row.address < block_end;
+            if (not is_told and is_left(row, position)) {
                 report_(group, row, restore_report{restore_outcome::not_reached, std::nullopt, error});
             }
         });
     }
 
-    /// The restore ends before it has come to this parameter again, which was read just now: what was told of it before
-    /// may be old.
-    constexpr void tell_last_word(placed_row const& which, std::uint16_t held, errc error) noexcept
+    /// The restore ends before it has come to this parameter, which was read just now: what was told of it before, where
+    /// that was, may be old.
+    constexpr void tell_last_word(placed_row const& which, std::uint16_t held, std::uint32_t position,
+                                  errc error) noexcept
     {
-        if (progress_.step().writes() and held != wanted(*which.row)) {
+        bool const is_old = progress_.step().writes() and held != wanted(*which.row);
+        if (is_old or is_left(*which.row, position)) {
             tell(which, {restore_outcome::not_reached, held, error});
         }
     }
@@ -343,6 +347,12 @@ private:
                                                       std::optional<std::uint16_t> word) const noexcept
     {
         return agrees_with_drive<Device>(row) ? judged(options_, row, word) : restore_outcome::never_written;
+    }
+
+    /// Whether the restore, which has come to `position` of this step, ends without a look at this parameter.
+    [[nodiscard]] constexpr bool is_left(parameter const& row, std::uint32_t position) noexcept
+    {
+        return judgement(row) == restore_outcome::planned and not progress_.was_reached(row, position);
     }
 
     /// The word that is wanted of a parameter that has one.
