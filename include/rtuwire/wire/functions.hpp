@@ -33,6 +33,15 @@ template <typename Function, typename... Functions>
 inline constexpr std::size_t times_in_list =
     ((function_row<Functions>::code == function_row<Function>::code ? std::size_t{1} : std::size_t{0}) + ...);
 
+/// Whether a list has each code once that a request of one's own format uses. Most lists have none: nothing is counted.
+template <typename... Functions> [[nodiscard]] consteval bool has_own_formats_once() noexcept
+{
+    if constexpr ((has_own_format<Functions> or ...)) {
+        return ((not has_own_format<Functions> or times_in_list<Functions, Functions...> == 1) and ...);
+    }
+    return true;
+}
+
 } // namespace detail
 
 /// Functions, each by the type of its request. A request may have a response of a format of its own, for units that use a code
@@ -41,8 +50,7 @@ inline constexpr std::size_t times_in_list =
 /// whether it fits, in place of all that a client else compares but unit and function, also of a `raw_pdu` of that code, which
 /// may be shorter than any request of the type; and a `response` with `max_size`.
 template <typename... Functions> struct function_list {
-    static_assert(((not detail::has_own_format<Functions> or detail::times_in_list<Functions, Functions...> == 1) and
-                   ...),
+    static_assert(detail::has_own_formats_once<Functions...>(),
                   "a list of functions has a code once, where a request of one's own format uses it");
     static constexpr function_set codes{detail::function_row<Functions>::code...};
 
@@ -212,10 +220,10 @@ template <typename Function>
 inline constexpr bool
     has_own = static_cast<length_rule>(function_row<Function>::rules.response& length_rule_bits) == length_rule::own;
 
-/// What the one function says of its size that has a rule of its own; of several, the one with this code.
+/// What the one function says of its size that has a rule of its own; of several, the one with this code. By its packs: a
+/// list of the functions left would be a class of its own for each.
 template <typename First, typename... Others>
-[[nodiscard, gnu::always_inline]] constexpr raw_length own(function_list<First, Others...>, direction dir,
-                                                           byte_view adu) noexcept
+[[nodiscard, gnu::always_inline]] constexpr raw_length own_of(direction dir, byte_view adu) noexcept
 {
     if constexpr (has_own<First>) {
         bool const is_only = not(has_own<Others> or ...);
@@ -224,10 +232,16 @@ template <typename First, typename... Others>
         }
     }
     if constexpr (sizeof...(Others) > 0) {
-        return own(function_list<Others...>{}, dir, adu);
+        return own_of<Others...>(dir, adu);
     } else {
         return {};
     }
+}
+template <typename... Functions>
+[[nodiscard, gnu::always_inline]] constexpr raw_length own(function_list<Functions...>, direction dir,
+                                                           byte_view adu) noexcept
+{
+    return own_of<Functions...>(dir, adu);
 }
 
 } // namespace length_rules
