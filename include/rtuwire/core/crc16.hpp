@@ -65,8 +65,9 @@ private:
     static constexpr void add_up(std::uint16_t (&table)[256]) noexcept
     {
         for (unsigned bit = 2; bit < 256; bit *= 2) {
+            std::uint32_t const one = table[bit]; // read once: a compiler takes as long as a store for it
             for (unsigned i = 1; i < bit; ++i) {
-                table[bit + i] = static_cast<std::uint16_t>(table[bit] ^ table[i]);
+                table[bit + i] = static_cast<std::uint16_t>(one ^ table[i]);
             }
         }
     }
