@@ -13,9 +13,9 @@ using namespace rtuwire::detail;
 
 template <unsigned Address>
 inline constexpr reg<decihertz> one{.code = code<Address>, .address = Address, .min = 0, .max = 5'000};
-template <std::size_t... I> bank<one<100 + I>...> bank_of(std::index_sequence<I...>);
+template <std::size_t... I> bank<one<100 + I>...> bank_at_each(std::index_sequence<I...>);
 
-decltype(bank_of(std::make_index_sequence<1'000>{})) all;
+decltype(bank_at_each(std::make_index_sequence<1'000>{})) all;
 
 byte_view answer(byte_span place, std::size_t size)
 {
