@@ -381,6 +381,22 @@ TEST_CASE("what a silent device takes of the line is no reason for longer period
     CHECK(on.count(event_kind::note) == 1);
 }
 
+TEST_CASE("that a device answers too late is told once, where it does so again and again")
+{
+    rounds_on_line on{2};
+    on.run_for(5s);
+    for (unsigned i = 0; i < 5; ++i) { // now and then
+        on.line.units[1].is_late = true;
+        on.run_for(1500ms);
+        on.line.units[1].is_late = false;
+        on.run_for(3s);
+    }
+    CHECK(on.count(event_kind::note) == 0);
+    on.line.units[1].is_late = true;
+    on.run_for(60s);
+    CHECK(on.count(event_kind::note) == 1);
+}
+
 TEST_CASE("a setting is written once, answered, and read soon")
 {
     rounds_on_line on{1};

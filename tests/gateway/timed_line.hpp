@@ -31,6 +31,7 @@ public:
         bool is_there{true};
         bool is_other{false};
         bool is_invalid{false};
+        bool is_late{false};
         bool loses_one{false};    ///< response, before it answers the repetition
         bool falls_silent{false}; ///< behind its next response, when it is asked for more
         std::int64_t held{0};
@@ -83,6 +84,7 @@ public:
             asked.is_there = false;
             found.has_fallen_silent = not request(asked, tries);
         }
+        found.late = asked.is_late ? "its answers come too late" : "";
         found.why = found.has_responded ? "" : "no response in time";
         for (std::size_t i = 0; i < parts_[part].values.size(); ++i) {
             found.values.push_back(not found.has_responded ? slot_value{.state = value_state::failed, .why = found.why}

@@ -30,10 +30,11 @@ struct device_part {
 std::vector<device_part> parts_of(line_plan const& plan);
 
 struct part_reading {
-    bool has_responded{false};        ///< with a value, or an exception of its own
-    bool was_repeated{false};         ///< some response was lost or damaged first
-    bool has_fallen_silent{false};    ///< what was asked last has no response
-    std::string why{};                ///< it has not
+    bool has_responded{false};     ///< with a value, or an exception of its own
+    bool was_repeated{false};      ///< some response was lost or damaged first
+    bool has_fallen_silent{false}; ///< what was asked last has no response
+    std::string why{};             ///< it has not
+    std::string late{};            ///< of one that was repeated: that its responses come too late, and what would help
     std::vector<slot_value> values{}; ///< as in `device_part::values`, without times
 };
 

@@ -212,7 +212,7 @@ void line_rounds::schedule(part& one, bool is_live)
     clock::time_point const due_before = one.due;
     one.due += one.period * (missed_since(one.due) + 1);
     state_.overruns += static_cast<std::uint64_t>(left_out);
-    // What silence costs, longer periods do not mend.
+    // What silence and repetitions cost, longer periods do not mend.
     bool const was_silent = silent_at_ > due_before;
     if (left_out > 0 and not was_silent and not std::exchange(was_overrun_told_, true)) {
         tell(event_kind::note, {},
@@ -303,6 +303,7 @@ void line_rounds::read(part& one, std::size_t index)
     device& asked = devices_[which];
     clock::time_point const began = line_.now();
     part_reading found = line_.read(index);
+    silent_at_ = found.was_repeated ? line_.now() : silent_at_;
     bool const was_read_in_part = std::exchange(one.is_read_in_part, found.has_responded and found.has_fallen_silent);
     // It may have gone in between, or another device may have answered behind a response that was lost.
     bool const may_be_gone = one.is_read_in_part and not was_read_in_part;
@@ -320,6 +321,10 @@ void line_rounds::read(part& one, std::size_t index)
         asked.heard = line_.now();
         if (std::exchange(asked.was_told, false)) {
             tell(event_kind::device_back, plan_.devices[which].name, "it responds again");
+        }
+        asked.late_readings = found.late.empty() ? 0 : asked.late_readings + 1;
+        if (asked.late_readings >= late_readings_told and not std::exchange(asked.was_lateness_told, true)) {
+            tell(event_kind::note, plan_.devices[which].name, found.late);
         }
         asked.content.is_available = true;
         asked.content.why.clear();

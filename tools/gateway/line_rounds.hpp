@@ -52,6 +52,8 @@ private:
         clock::time_point heard{}; ///< last
         bool was_told{false};      ///< that it is lost, or another's
         unsigned misses{0};
+        unsigned late_readings{0}; ///< in a row
+        bool was_lateness_told{false};
         unsigned losses{0}; ///< within a minute, of which the first was
         clock::time_point first_lost{};
         clock::time_point wrong_until{};
@@ -61,8 +63,9 @@ private:
     static constexpr std::chrono::minutes unsteady_time{1};   ///< behind which losses are forgotten
     static constexpr std::chrono::seconds longest_unheard{3}; ///< behind which another may be in a device's place
     static constexpr std::chrono::seconds longest_doubt{5};   ///< of a port that was opened again
-    static constexpr std::size_t most_reasons = 4;            ///< of a loss, that are told until it is confirmed
-    static constexpr std::chrono::seconds longest_pause{2};   ///< so that who is back is so within 3 s
+    static constexpr unsigned late_readings_told = 3;
+    static constexpr std::size_t most_reasons = 4;          ///< of a loss, that are told until it is confirmed
+    static constexpr std::chrono::seconds longest_pause{2}; ///< so that who is back is so within 3 s
 
     void act();
     void open();

@@ -274,6 +274,11 @@ part_reading opened_line::read(std::size_t which)
         found.has_fallen_silent = found.has_fallen_silent or is_silence(why);
         found.values.push_back(value_of(device, value, part.reader));
     }
+    if (found.was_repeated) {
+        constexpr std::string_view joint{"; "};
+        std::string const words = line_->exchange().owed().words_of_silence(line_->form());
+        found.late = words.substr(std::min(joint.size(), words.size()));
+    }
     note_outcome(device, found.has_responded and not found.has_fallen_silent);
     return found;
 }

@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|waited|repeated|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|late|repeated|pulled|replaced|many
 """
 import json
 import os
@@ -131,6 +131,29 @@ def waited(check, program, _):
             check(not said, "and its line has not gone", said)
             beats = [each for each in client.of(f"{SITE}/line1/status") if each.arrived >= since]
             check(len(beats) >= 5, "it has shown that it runs", len(beats))
+
+
+class Late(Units):
+    """Units whose answers leave later than the client waits, in their order."""
+
+    delay = 0
+
+    def say(self, data):
+        if not self.delay:
+            return super().say(data)
+        threading.Timer(self.delay, super().say, [data]).start()
+
+
+def late(check, program, _):
+    """A device that answers a little too late is told of, with what would help."""
+    with Folder() as folder, Broker(folder) as broker, Late({3: meter(), 4: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        devices = [a_meter(registers=["voltage"]), a_meter("other", 4, registers=["voltage"])]
+        with Gateway(program, folder, text_of(broker.port, [a_line(line.name, *devices, timeout=0.5)])) as gateway:
+            check(flows(client) and flows(client, "line1/other"), "values come")
+            line.delay = 0.55
+            check(soon(lambda: "its answers come too late, the last after " in gateway.said(), LIMIT), "that is told", gateway.said())
+            check("say timeout = " in gateway.said() and "longer periods" not in gateway.said(), "with the key that helps", gateway.said())
+            line.delay = 0
 
 
 class Repeating(Units):
@@ -295,7 +318,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    parts = {"silent": silent, "usual": usual, "waited": waited, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
+    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
     parts[part](check, program, tool, *more)
 
 
