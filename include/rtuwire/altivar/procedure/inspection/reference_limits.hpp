@@ -22,13 +22,14 @@ enum class beyond_limits : std::uint8_t {
 };
 
 /// The limits of one drive.
-struct alignas(4) reference_limits { // two words, else a copy is a call of memcpy
+struct reference_limits {
     static constexpr std::uint16_t unread = 0xFFFF;
 
-    std::uint16_t lowest{0};       ///< LSP, 0.1 Hz; 0 where it was not read
-    std::uint16_t highest{unread}; ///< HSP, 0.1 Hz
-    std::uint16_t per_hertz{0};    ///< what 1 Hz is in rpm, times `pairs`; 0 where it was not read
-    std::uint16_t pairs{1};        ///< of the motor's poles, as the drive counts them
+    // Two words, else a copy is a call of memcpy.
+    alignas(4) std::uint16_t lowest{0}; ///< LSP, 0.1 Hz; 0 where it was not read
+    std::uint16_t highest{unread};      ///< HSP, 0.1 Hz
+    std::uint16_t per_hertz{0};         ///< what 1 Hz is in rpm, times `pairs`; 0 where it was not read
+    std::uint16_t pairs{1};             ///< of the motor's poles, as the drive counts them
 
     /// `above_hsp`, `below_lsp`, or `succeeded`. A motor that turns slows down to any reference. In rpm the highest
     /// counts rounded up, the lowest rounded down; any speed is right where only the frequencies were read.
