@@ -92,6 +92,8 @@ TEST_CASE("a reason tells all that is known")
     CHECK(shown(altivar::reason{.kind = outcome_kind::silent, .error = errc::timed_out}) == "no response in time");
     CHECK(shown(altivar::reason{.kind = outcome_kind::silent, .error = errc::unit_lost}) ==
           "no response: " + shown(errc::unit_lost));
+    CHECK(shown(altivar::reason{.kind = outcome_kind::aborted, .error = errc::timed_out}) ==
+          "given up before it was done: look at the line, the drive's state and the time limit: no response in time");
     CHECK(shown(altivar::reason{.kind = outcome_kind::in_fault, .state = state::fault, .fault = 5}) ==
           "the drive is in fault, LFT 5 (SLF: nobody asked the drive for longer than its time-out), state fault; "
           "reset_fault resets it once its cause is gone");

@@ -135,6 +135,46 @@ TEST_CASE("a start whose limit is over ends as state_timeout where it has comman
     });
 }
 
+TEST_CASE("a check and a start whose drive never answers one read end at their limit with that as their error")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        auto const ends_so = [](auto conversation, std::uint16_t asked) {
+            pair<Device> it;
+            it.disturb([&](test::frame_bytes& frame, bool is_request) {
+                bool const is_asked = is_request and frame.at(1) == std::byte{3} and u16_at(frame, 2) == asked;
+                is_asked ? frame.clear() : void();
+            });
+            reason const why = it.end_of(conversation);
+            CHECK(why.kind == outcome_kind::aborted);
+            CHECK(why.error == errc::timed_out);
+            CHECK(it.now_in() == state::switch_on_disabled);
+        };
+        station<Device> const& drive = pair<Device>::drive;
+        ends_so(start{drive, 50_Hz}, Device::layout.lsp);
+        ends_so(check_supervision{drive}, Device::layout.eta);
+        if constexpr (std::is_same_v<Device, atv28::device>) {
+            ends_so(atv28::direct_start{drive, 50_Hz}, Device::layout.lsp);
+        }
+    });
+}
+
+TEST_CASE("a start that checks its drive anew behind a lost response at its limit has that as its error")
+{
+    unsigned given_up = 0;
+    for (std::uint32_t limit_ms = 400; limit_ms < 900; limit_ms += 13) {
+        pair<atv320::device> it;
+        it.disturb([&](test::frame_bytes& frame, bool is_request) {
+            // CMD and LFR are read before the motor is enabled.
+            bool const is_asked = is_request and frame.at(1) == std::byte{3} and u16_at(frame, 2) == 8501;
+            is_asked ? frame.clear() : void();
+        });
+        reason const why = it.end_of(start{it.drive, 50_Hz, run_direction::forward, milliseconds(limit_ms)});
+        given_up += why.kind == outcome_kind::aborted ? 1 : 0;
+        CHECK((why.kind == outcome_kind::state_timeout or why.error == errc::timed_out));
+    }
+    CHECK(given_up > 10);
+}
+
 TEST_CASE("a drive that another master brings down ends an order as fell_back")
 {
     test::all_drives::for_each([]<typename Device>() {

@@ -109,6 +109,10 @@ STATIC_CHECK(ends(told(check, begins, fails(errc::server_device_failure)), outco
                   errc::server_device_failure));
 STATIC_CHECK(ends(told(check, begins, late), outcome_kind::aborted));
 STATIC_CHECK(ends(told(check, begins, written), outcome_kind::aborted));
+// What a lost response says is told at the limit, until the check is over.
+STATIC_CHECK(ends(told(check, begins, read(1), fails(errc::timed_out), late), outcome_kind::aborted, errc::timed_out));
+STATIC_CHECK(ends(told(check, begins, read(1), fails(errc::crc_mismatch), read(1), late), outcome_kind::aborted,
+                  errc::crc_mismatch));
 
 constexpr bool accepts_all_that_is_missing()
 {

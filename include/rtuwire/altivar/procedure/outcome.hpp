@@ -30,7 +30,7 @@ enum class outcome_kind : std::uint8_t {
     state_timeout,         ///< the drive did not reach the state or speed in time; a stop: confirmed, and not obeyed
     fell_back,             ///< the drive had reached a state, and left it without a command from here
     stop_key,              ///< the drive shows that its STOP key was pressed
-    aborted,               ///< given up: the drive is in no state for it, or the limit was over too early
+    aborted,               ///< given up: the drive is in no state for it, or the limit was over too early; see `error`
     unconfirmed,           ///< a stop: its word was confirmed, or the motor slows down; no standstill was read
     in_fault,              ///< the drive is in fault; `fault` is its LFT
     local_control,         ///< the drive is commanded locally, at its keypad or terminals
@@ -84,7 +84,8 @@ struct [[nodiscard]] reason {
     case outcome_kind::fell_back:
         return "the drive fell back by itself, or by another master: look at its power and its terminals";
     case outcome_kind::stop_key: return "the drive's STOP key was pressed: look who is at the drive";
-    case outcome_kind::aborted: return "given up before it was done: look at the drive's state and the time limit";
+    case outcome_kind::aborted:
+        return "given up before it was done: look at the line, the drive's state and the time limit";
     case outcome_kind::unconfirmed: return "told to stop, not seen to stand";
     case outcome_kind::in_fault: return "the drive is in fault";
     case outcome_kind::local_control: return "the drive is in local control";

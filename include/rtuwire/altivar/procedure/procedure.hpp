@@ -334,6 +334,9 @@ protected:
         return to_end;
     }
 
+    /// A response was lost, and it goes on: the error, for an end at its limit.
+    constexpr void note_lost(errc error) noexcept { reason_.error = error; }
+
     /// Ends because a limit of the drive forbids a reference.
     constexpr action end_beyond(outcome_kind found, std::uint16_t limit) noexcept
     {

@@ -34,7 +34,9 @@ namespace altivar {
 /// | refused otherwise            | end: refused                                                            |
 /// | no response, to the first    | end: silent                                                             |
 /// | no response, to a later one  | read the first again: the drive may have lost its power                 |
-/// | limit over                   | end: aborted                                                            |
+/// | limit over                   | end: aborted, by the error of the last response that was lost           |
+///
+/// Lost responses are not counted: a register that never answers ends a check, and its start, at the limit.
 /// Internal.
 class supervision_procedure : public procedure {
 public:
@@ -61,9 +63,10 @@ public:
                          : supervision_procedure{layout(), options_, is_by_speed_};
     }
 
-    /// Before another `begun`: reads all of it again.
-    constexpr void restart() noexcept
+    /// Before another `begun`, behind a response that was lost: reads all of it again.
+    constexpr void restart(errc lost) noexcept
     {
+        note_lost(lost);
         at_ = safeguard::highest;
         has_read_ = false;
         forget_end();
@@ -79,7 +82,7 @@ public:
         case event::kind::pause_over:
         case event::kind::late: break;
         }
-        return end(outcome_kind::aborted);
+        return end(outcome_kind::aborted, reason().error);
     }
 
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return report_; }
@@ -94,6 +97,7 @@ public:
 private:
     constexpr std::uint16_t address() const noexcept { return words_.address_of(at_, layout()); }
 
+    /// The first read is repeated as the client's options say: nothing was read before it that a loss of power makes old.
     constexpr action ask() noexcept
     {
         while (address() == 0) {
@@ -120,7 +124,7 @@ private:
     constexpr action go_without(errc error) noexcept
     {
         if (has_read_ and not is_exception(error) and error != errc::unit_lost) {
-            restart();
+            restart(error);
             return ask();
         }
         if (error != errc::illegal_data_address or at_ == safeguard::status) {

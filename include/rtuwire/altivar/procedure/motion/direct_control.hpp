@@ -136,7 +136,7 @@ public:
             return trip(0); // its code was not read
         }
         bool const was_checked = stage_ != stage::meeting and stage_ != stage::examining;
-        return abort(was_checked ? outcome_kind::state_timeout : outcome_kind::aborted);
+        return abort(was_checked ? outcome_kind::state_timeout : outcome_kind::aborted, check_.reason().error);
     }
 
 private:

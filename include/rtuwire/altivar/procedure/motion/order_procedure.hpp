@@ -45,10 +45,10 @@ protected:
         bool const goes_on = found == outcome_kind::succeeded or reason().kind != outcome_kind::pending;
         return goes_on ? next : end_beyond(found, limits.named_by(found));
     }
-    /// Begins the check again, of a motor at rest.
-    constexpr action examine_anew(supervision_procedure& check) noexcept
+    /// Begins the check again, of a motor at rest, behind a response that was lost.
+    constexpr action examine_anew(supervision_procedure& check, errc lost) noexcept
     {
-        check.restart();
+        check.restart(lost);
         return examine(check, {event::kind::begun}, true);
     }
     [[nodiscard]] constexpr bool is_ready(supervision_procedure const& check) const noexcept

@@ -150,7 +150,8 @@ private:
 /// is the word written here last (0007, or 000F), or what was read of a drive that already runs. A state below the one
 /// read last has fallen back, also below the one met before the check; one above it, and above those to which the
 /// commands sent lead, ends as "another" does. Four requests in a row without a response are `silent`, and two once
-/// the motor may run.
+/// the motor may run, counted from the first command on; before it only the first read of the meeting or of a check, where
+/// it was repeated in vain.
 /// Internal.
 class start_procedure : public order_procedure {
     using stage = start_stage;
@@ -203,7 +204,7 @@ public:
             return abort(outcome_kind::in_fault); // its code was not read
         }
         bool const was_checked = stage_ != stage::meeting and stage_ != stage::examining;
-        return abort(was_checked ? outcome_kind::state_timeout : outcome_kind::aborted);
+        return abort(was_checked ? outcome_kind::state_timeout : outcome_kind::aborted, check_.reason().error);
     }
 
 private:
@@ -452,7 +453,7 @@ private:
         sent_.forget_unless_taken();
         if (not sent_.may_run() and is_at_rest()) {
             stage_ = stage::examining;
-            action const next = examine_anew(check_);
+            action const next = examine_anew(check_, error);
             if (not is_ready(check_)) {
                 return next;
             }
@@ -504,11 +505,13 @@ private:
 /// A drive that would not stop by itself, or that another source commands, is refused before anything is written, with
 /// the outcomes of `check_supervision`; `supervision()` names the register. A reference above HSP, or below LSP of a motor at
 /// rest, is refused as soon as these are read, as `above_hsp` or `below_lsp`, unless the options say `beyond_limits::limit`: the
-/// motor then turns at the limit, `reference_limited`, and `reason().limit` is that. The check takes about eleven reads (thirteen for a speed); the
-/// report of an earlier check may be given instead. Where that was none of this client, a stop coasts: see `stop`.
+/// motor then turns at the limit, `reference_limited`, and `reason().limit` is that. docs/driving.md
+/// lists the check's reads; the report of an earlier check may be given instead. Where that was none of this client, a stop coasts: see `stop`.
 class start : public procedure_runner<start_procedure> {
 public:
-    /// Checks the drive, then starts it. `its_limit` counts from the first `advance`, the check included.
+    /// Checks the drive, then starts it. `its_limit` counts from the first `advance`, the check included. A lost
+    /// response costs `response_timeout` and `late_response`, 1.2 s by default, and the check anew, and 1 s more at the first
+    /// read of it, which is repeated: at 19 200 bit/s 3 s last for two, or for one such.
     template <device_type Device>
     constexpr start(station<Device> const& its_drive, std::type_identity_t<reference<Device>> const& at,
                     run_direction direction = run_direction::forward, duration its_limit = milliseconds(3'000),
