@@ -216,8 +216,12 @@ public:
         if (phase_ == phase::settled and turns_.is_due(who.whose)) {
             phase_ = phase::idle;
             turns_.given(who.whose);
-            who.accept(error_, response_);
-            return error_;
+            fault const told = error_;
+            who.accept(told, response_);
+            if (who.settled() and line_.is_quiet) { // 24
+                wake(now);
+            }
+            return told;
         }
         come_by(who, wants_turn, now);
         return std::nullopt;
