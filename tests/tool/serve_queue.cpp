@@ -175,7 +175,7 @@ TEST_CASE("serve: who wants a unit that is left alone waits, and nobody else doe
     REQUIRE(queue.add(request_of(1, 1)));
     REQUIRE(queue.add({.client = 2, .number = 2, .unit = 5, .pdu = {std::byte{3}}, .came = begin}));
     REQUIRE(queue.add({.client = 2, .number = 3, .unit = 1, .pdu = {std::byte{3}}, .came = begin}));
-    queue.leave_alone(1, begin + 200ms);
+    queue.leave_alone(request_of(1, 1), begin + 200ms, begin + 200ms);
     CHECK(queue.is_left_alone(1, begin + 199ms));
     CHECK_FALSE(queue.is_left_alone(5, begin));
     REQUIRE(queue.next_turn());
@@ -186,6 +186,40 @@ TEST_CASE("serve: who wants a unit that is left alone waits, and nobody else doe
     CHECK(queue.take(begin + 200ms)->number == 1);
     CHECK(queue.take(begin + 200ms)->number == 3);
     CHECK_FALSE(queue.next_turn());
+}
+
+TEST_CASE("serve: an answer that may come yet is waited for by each request that it might be taken for")
+{
+    auto const wants = [](std::uint16_t number, std::uint8_t function, std::uint8_t address) {
+        return served_request{.client = number,
+                              .number = number,
+                              .unit = 1,
+                              .pdu = {std::byte{function}, std::byte{0}, std::byte{address}},
+                              .came = begin};
+    };
+    for (bool const is_refused : {false, true}) { // a unit that is known to be silent
+        INFO(is_refused);
+        request_queue queue;
+        queue.refuse_at_once([&](std::uint8_t) { return is_refused; });
+        queue.leave_alone(wants(1, 3, 7), begin + 200ms, begin + 1500ms);
+        queue.leave_alone(wants(9, 4, 7), begin + 200ms, begin + 900ms); // another function's debt is another
+        REQUIRE(queue.add(wants(1, 3, 7)));                              // the same again
+        REQUIRE(queue.add(wants(2, 3, 8)));
+        REQUIRE(queue.add(wants(3, 6, 8))); // its answer says what it wrote
+        CHECK(queue.is_held(wants(2, 3, 8), begin + 1499ms));
+        CHECK_FALSE(queue.is_held(wants(2, 3, 8), begin + 1500ms));
+        CHECK(queue.is_left_alone(1, begin + 1499ms));
+        CHECK_FALSE(queue.is_left_alone(1, begin + 1500ms));
+        std::vector<std::uint16_t> order;
+        for (auto const at : {begin + 199ms, begin + 200ms, begin + 1499ms, begin + 1500ms}) {
+            while (auto const next = queue.take(at)) {
+                order.push_back(next->number);
+            }
+            order.push_back(0);
+        }
+        CHECK(order == (is_refused ? std::vector<std::uint16_t>{1, 2, 3, 0, 0, 0, 0}
+                                   : std::vector<std::uint16_t>{0, 1, 3, 0, 0, 2, 0}));
+    }
 }
 
 namespace {

@@ -141,6 +141,52 @@ def late_answers(check, program):
         print("     right values of 6 each:", counts)
 
 
+class Converter(PlainUnits):
+    """What answers reads (03) by and by, so long after each, and all else at once: in another order than it was asked."""
+
+    def __init__(self, *units, late):
+        super().__init__(*units)
+        self.late, self.timers = late, []
+
+    def __exit__(self, *how):
+        for each in self.timers:
+            each.join()
+        super().__exit__(*how)
+
+    def hear(self, data):
+        Line.hear(self, data)
+        self.waiting += data
+        requests, self.waiting = requests_in(self.waiting)
+        for request in requests:
+            self.requests.append(request)
+            answer = with_crc(request[:1] + self.answer(request[0], request[1:-2]))
+            if request[1] == 3:
+                self.timers.append(threading.Timer(self.late, self.say, [answer]))
+                self.timers[-1].start()
+            else:
+                self.say(answer)
+
+
+def answers_out_of_order(check, program):
+    for late in (0.35, 0.8):
+        with Converter(1, late=late) as line, Served(program, line.name, "--units", "1", line=("--timeout", 0.1, "--retries", 0)) as served:
+            wrong = []
+
+            def asks(seed):
+                with Asker(served.number) as client:
+                    for i in range(2):
+                        address = FIRST + 10 * i + seed
+                        values = client.read(1, address)
+                        if isinstance(values, list) and not is_right(1, address, 1, values):
+                            wrong.append((address, values))
+            threads = [threading.Thread(target=asks, args=(seed,)) for seed in range(3)]
+            for each in threads:
+                each.start()
+            for each in threads:
+                each.join(120)
+            check(not wrong and len(line.reads()) == 6, f"no answer out of order, {late} s late, is another client's", (wrong, line.reads()))
+
+
 def who_leaves(check, program):
     with PlainUnits(1) as line, Served(program, line.name, "--units", "1", "--json", line=PATIENT) as served, \
             Asker(served.number) as stays:
@@ -160,7 +206,7 @@ def who_leaves(check, program):
 
 
 def clients(check, program):
-    for part in (own_answers, no_answers, late_answers, who_leaves):
+    for part in (own_answers, no_answers, late_answers, answers_out_of_order, who_leaves):
         part(check, program)
 
 

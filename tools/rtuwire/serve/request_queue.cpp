@@ -29,7 +29,7 @@ void request_queue::drop(std::uint64_t client)
 
 std::optional<served_request> request_queue::take(serve_time now)
 {
-    auto const may_be_taken = [&](auto const& each) { return not is_left_alone(each.second.front().unit, now); };
+    auto const may_be_taken = [&](auto const& each) { return now >= turn_of(each.second.front()); };
     auto const behind = waiting_.upper_bound(latest_);
     auto next = std::find_if(behind, waiting_.end(), may_be_taken);
     next = next == waiting_.end() ? std::find_if(waiting_.begin(), behind, may_be_taken) : next;
@@ -52,11 +52,41 @@ void request_queue::put_back(served_request request)
     ++size_;
 }
 
+void request_queue::leave_alone(served_request const& unanswered, serve_time all, serve_time others)
+{
+    serve_time& alone = alone_until_[unanswered.unit];
+    alone = std::max(alone, all);
+    owed_answer& owed = owed_[{unanswered.unit, unanswered.pdu.front()}];
+    owed = {unanswered.pdu, std::max(owed.until, others)};
+}
+
+bool request_queue::is_left_alone(std::uint8_t unit, serve_time now) const
+{
+    auto const alone = alone_until_.find(unit);
+    return (alone != alone_until_.end() and now < alone->second) or std::ranges::any_of(owed_, [&](auto const& each) {
+               return each.first.first == unit and now < each.second.until;
+           });
+}
+
+serve_time request_queue::free_from(served_request const& request) const
+{
+    auto const alone = alone_until_.find(request.unit);
+    auto const owed = owed_.find({request.unit, request.pdu.front()});
+    bool const is_other = owed != owed_.end() and owed->second.pdu != request.pdu;
+    return std::max(alone == alone_until_.end() ? serve_time{} : alone->second,
+                    is_other ? owed->second.until : serve_time{});
+}
+
+serve_time request_queue::turn_of(served_request const& request) const
+{
+    return is_refused_at_once_ and is_refused_at_once_(request.unit) ? serve_time{} : free_from(request);
+}
+
 std::optional<serve_time> request_queue::next_turn() const
 {
     std::optional<serve_time> next;
     for (auto const& [client, own] : waiting_) {
-        serve_time const at = free_from(own.front().unit);
+        serve_time const at = turn_of(own.front());
         next = next ? std::min(*next, at) : at;
     }
     return next;

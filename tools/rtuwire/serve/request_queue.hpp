@@ -8,8 +8,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace tool {
@@ -37,15 +39,22 @@ public:
     /// A client has gone, and nobody waits for its answers.
     void drop(std::uint64_t client);
 
-    /// The first of the client whose turn it is, of those whose unit is not left alone.
+    /// Those of a unit of which this is true are refused without a frame: they wait for nothing. Of none, unless it was said.
+    void refuse_at_once(std::function<bool(std::uint8_t)> of_unit) { is_refused_at_once_ = std::move(of_unit); }
+
+    /// The first of the client whose turn it is, of those that need not wait for their unit.
     [[nodiscard]] std::optional<served_request> take(serve_time now);
 
     /// It comes again with the next turn of its client.
     void put_back(served_request request);
 
-    /// Until then nothing is taken for this unit.
-    void leave_alone(std::uint8_t unit, serve_time until) { alone_until_[unit] = until; }
-    [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time now) const { return now < free_from(unit); }
+    /// A request has no answer, or one of two: another may come yet. Until `all` nothing is taken for its unit, and until
+    /// `others` no other request of its function, whose answer that might be taken for.
+    void leave_alone(served_request const& unanswered, serve_time all, serve_time others);
+    /// Whether an answer to some request may come from a unit yet.
+    [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time now) const;
+    /// Whether one that it owes might be taken for the answer to this request.
+    [[nodiscard]] bool is_held(served_request const& request, serve_time now) const { return now < free_from(request); }
 
     /// When one can be taken; nothing where none waits.
     [[nodiscard]] std::optional<serve_time> next_turn() const;
@@ -63,13 +72,18 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
 
 private:
-    serve_time free_from(std::uint8_t unit) const
-    {
-        auto const known = alone_until_.find(unit);
-        return known == alone_until_.end() ? serve_time{} : known->second;
-    }
+    struct owed_answer {
+        std::vector<std::byte> pdu{}; ///< of the request
+        serve_time until{};
+    };
+
+    serve_time free_from(served_request const& request) const;
+    /// The time to take it, from which on it is refused or asked.
+    serve_time turn_of(served_request const& request) const;
 
     std::map<std::uint8_t, serve_time> alone_until_{};
+    std::map<std::pair<std::uint8_t, std::byte>, owed_answer> owed_{}; ///< of a unit, by function
+    std::function<bool(std::uint8_t)> is_refused_at_once_{};
     std::map<std::uint64_t, std::deque<served_request>> waiting_{}; ///< none of them empty
     std::uint64_t latest_{0};                                       ///< the client whose turn was last
     std::size_t size_{0};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <optional>
 #include <set>
@@ -64,8 +65,16 @@ public:
     [[nodiscard]] std::optional<served_request> take();
     /// It had no response, and is to be sent again: with the next turn of its client, so that others have theirs before.
     void put_back(served_request request);
-    /// Nobody's request for this unit is taken until then.
-    void leave_alone(std::uint8_t unit, serve_time until) { queue_.leave_alone(unit, until); }
+    /// As in `request_queue`.
+    void refuse_at_once(std::function<bool(std::uint8_t)> of_unit) { queue_.refuse_at_once(std::move(of_unit)); }
+    void leave_alone(served_request const& unanswered, serve_time all, serve_time others)
+    {
+        queue_.leave_alone(unanswered, all, others);
+    }
+    [[nodiscard]] bool is_held(served_request const& request, serve_time at) const
+    {
+        return queue_.is_held(request, at);
+    }
     [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time at) const { return queue_.is_left_alone(unit, at); }
     /// Who sent it, by its address.
     [[nodiscard]] std::string client_of(served_request const& request);

@@ -22,6 +22,10 @@ using rtuwire::byte_view;
 using rtuwire::errc;
 using std::chrono::steady_clock;
 
+/// An answer that comes so long after `--timeout` gives its value to no other request. Within `late_response` of the client
+/// its line takes care of that; a converter or a unit that is slow now and then takes longer.
+constexpr std::chrono::milliseconds longest_lateness{1500};
+
 rtuwire::raw_pdu<> raw_in(served_request const& request)
 {
     return {static_cast<rtuwire::function_code>(request.pdu[0]), byte_view{request.pdu}.subspan(1)};
@@ -155,7 +159,9 @@ void served_line::handle(served_request const& request)
         return;
     }
     silent_.note_request(unit, steady_clock::now());
-    if (not silent_.is_due(unit, steady_clock::now()) and not is_word_that_stops(request.pdu)) {
+    bool const may_be_asked =
+        silent_.is_due(unit, steady_clock::now()) and not clients_.is_held(request, steady_clock::now());
+    if (not may_be_asked and not is_word_that_stops(request.pdu)) {
         clients_.refuse(request, errc::gateway_target_failed_to_respond);
         return;
     }
@@ -378,8 +384,10 @@ std::string served_line::forward(served_request const& request, named_unit const
         known_.erase(request.unit); // another may be there already
     }
     bool const is_lost = why != errc::none and not rtuwire::is_exception(why);
-    if (is_lost and not line_->port().has_numbers()) { // its answer may come yet
-        clients_.leave_alone(request.unit, steady_clock::now() + rtuwire::to_chrono(line_->options().late_response));
+    if ((is_lost or request.sent > 0) and not line_->port().has_numbers()) { // an answer may come yet, to one of two
+        auto const now = steady_clock::now();
+        auto const all = is_lost ? now + rtuwire::to_chrono(line_->options().late_response) : now;
+        clients_.leave_alone(request, all, only_reads(request.pdu) ? now + longest_lateness : all);
     }
     if (is_lost and is_to_be_repeated(request)) {
         served_request again = request;

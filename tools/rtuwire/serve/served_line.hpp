@@ -25,7 +25,12 @@ public:
     served_line(choices const& chosen, serve_settings const& settings, served_clients& clients, serve_counts& counts,
                 serve_events const& events)
         : chosen_{chosen}, settings_{settings}, clients_{clients}, counts_{counts}, events_{events}
-    {}
+    {
+        clients_.refuse_at_once(
+            [this](std::uint8_t unit) { return not silent_.is_due(unit, std::chrono::steady_clock::now()); });
+    }
+    served_line(served_line const&) = delete;
+    served_line& operator=(served_line const&) = delete;
 
     /// From here on this line is asked. While it waits its owner has the clients served.
     void begin(open_line& line);
