@@ -190,12 +190,13 @@ TEST_CASE("serve: who wants a unit that is left alone waits, and nobody else doe
 
 TEST_CASE("serve: an answer that may come yet is waited for by each request that it might be taken for")
 {
-    auto const wants = [](std::uint16_t number, std::uint8_t function, std::uint8_t address) {
+    auto const wants = [](std::uint16_t number, std::uint8_t function, std::uint8_t address, unsigned sent = 0) {
         return served_request{.client = number,
                               .number = number,
                               .unit = 1,
                               .pdu = {std::byte{function}, std::byte{0}, std::byte{address}},
-                              .came = begin};
+                              .came = begin,
+                              .sent = sent};
     };
     for (bool const is_refused : {false, true}) { // a unit that is known to be silent
         INFO(is_refused);
@@ -203,10 +204,11 @@ TEST_CASE("serve: an answer that may come yet is waited for by each request that
         queue.refuse_at_once([&](std::uint8_t) { return is_refused; });
         queue.leave_alone(wants(1, 3, 7), begin + 200ms, begin + 1500ms);
         queue.leave_alone(wants(9, 4, 7), begin + 200ms, begin + 900ms); // another function's debt is another
-        REQUIRE(queue.add(wants(1, 3, 7)));                              // the same again
+        REQUIRE(queue.add(wants(1, 3, 7, 1)));                           // the same again
         REQUIRE(queue.add(wants(2, 3, 8)));
         REQUIRE(queue.add(wants(3, 6, 8))); // its answer says what it wrote
         CHECK(queue.is_held(wants(2, 3, 8), begin + 1499ms));
+        CHECK(queue.is_held(wants(4, 3, 7), begin + 1499ms)); // another's, of the same registers
         CHECK_FALSE(queue.is_held(wants(2, 3, 8), begin + 1500ms));
         CHECK(queue.is_left_alone(1, begin + 1499ms));
         CHECK_FALSE(queue.is_left_alone(1, begin + 1500ms));

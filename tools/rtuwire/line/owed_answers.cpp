@@ -70,7 +70,7 @@ void owed_answers::note(rtuwire::traced_frame const& frame)
     using rtuwire::frame_verdict;
     auto const now = clock::now();
     if (not frame.is_own) {
-        return note_response(frame, now);
+        return note_heard_bytes(frame, now);
     }
     if (frame.verdict != frame_verdict::good or frame.bytes.size() < rtuwire::min_adu_size) {
         return;
@@ -87,14 +87,38 @@ void owed_answers::note(rtuwire::traced_frame const& frame)
     }
 }
 
+/// What came while nobody waited may be several answers in one lump.
+void owed_answers::note_heard_bytes(rtuwire::traced_frame const& heard, clock::time_point now)
+{
+    if (not whole(heard.bytes).empty()) {
+        return note_response(heard, now);
+    }
+    bool has_any = false;
+    for (byte_view rest = heard.bytes; rest.size() >= rtuwire::min_adu_size;) {
+        std::size_t size = rtuwire::min_adu_size;
+        while (size <= rest.size() and whole(rest.first(size)).empty()) {
+            ++size;
+        }
+        bool const is_frame = size <= rest.size() and units_.count(rest[0]) > 0;
+        if (is_frame) {
+            rtuwire::traced_frame one = heard;
+            one.bytes = rest.first(size);
+            one.verdict = rtuwire::frame_verdict::stray;
+            note_response(one, now);
+        }
+        has_any = has_any or is_frame;
+        rest = rest.subspan(is_frame ? size : 1);
+    }
+    if (not has_any) {
+        note_heard(now);
+    }
+}
+
 /// In their order: whatever it answers, none is owed that was asked before the first that it may answer.
 void owed_answers::note_response(rtuwire::traced_frame const& frame, clock::time_point now)
 {
     using rtuwire::frame_verdict;
-    byte_view const bytes = whole(frame.bytes);
-    if (bytes.empty()) {
-        return note_heard(now);
-    }
+    byte_view const bytes = frame.bytes;
     auto const unit = units_.find(bytes[0]);
     if (unit == units_.end()) {
         return;
@@ -110,21 +134,59 @@ void owed_answers::note_response(rtuwire::traced_frame const& frame, clock::time
         return has_form ? is_answer(each.frame, bytes) : function_of(each.frame) == function_of(bytes);
     });
     bool const is_awaited = frame.verdict == frame_verdict::good;
+    bool const was_passed_over = std::ranges::any_of(
+        of.passed_over, [&](sending const& each) { return has_form and is_answer(each.frame, bytes); });
+    if (was_passed_over and not is_awaited) {
+        was_late_ = true;
+        return note_unasked(of, bytes, now);
+    }
     if (first == of.owed.end() and is_awaited and not of.owed.empty()) {
         first = of.owed.end() - 1;
     }
     if (first == of.owed.end()) {
-        return;
+        return note_unasked(of, bytes, now);
     }
     if (is_awaited) {
         answered_ = first->frame;
         frame_bytes& longest = of.longest[bytes[1]]; // of an exception there is none
         longest = registers_in(answered_) > registers_in(longest) ? answered_ : longest;
     } else if (has_form) {
-        of.latest = now - first->at;
+        note_late(of, first->at, now);
         was_late_ = true;
     }
-    of.owed.erase(of.owed.begin(), first + 1);
+    if (of.is_out_of_order) {
+        of.owed.erase(first);
+    } else {
+        of.passed_over.insert(of.passed_over.end(), of.owed.begin(), first);
+        of.owed.erase(of.owed.begin(), first + 1);
+    }
+}
+
+void owed_answers::note_late(unit_record& of, clock::time_point asked, clock::time_point now) const
+{
+    of.latest = now - asked;
+    of.latest_of_all = std::max(of.latest_of_all, now - asked);
+}
+
+/// What answers nothing that is owed: one that was passed over, or the answer to a later request, in whose place that one came.
+void owed_answers::note_unasked(unit_record& of, byte_view frame, clock::time_point now) const
+{
+    auto const its = std::ranges::find_if(of.passed_over, [&](sending const& each) {
+        return is_answer(each.frame, frame) or function_of(each.frame) == function_of(frame);
+    });
+    if (its != of.passed_over.end()) {
+        note_late(of, its->at, now);
+        of.is_out_of_order = true;
+        of.passed_over.clear();
+    }
+    if (of.is_out_of_order) {
+        of.rests_until = now + longest_of(of);
+    }
+}
+
+owed_answers::clock::duration owed_answers::longest_of(unit_record const& of) const
+{
+    return std::min(longest_, std::max<clock::duration>(2 * of.latest_of_all, timeout_ + longest_lateness));
 }
 
 void owed_answers::note_heard(clock::time_point now)
@@ -137,8 +199,11 @@ void owed_answers::note_heard(clock::time_point now)
 
 void owed_answers::forget_old(unit_record& of, clock::time_point now) const
 {
-    auto const is_owed = [&](sending const& each) { return now - std::max(each.at, of.heard) <= longest_; };
-    of.owed.erase(of.owed.begin(), std::ranges::find_if(of.owed, is_owed));
+    clock::duration const out_of_order = longest_of(of);
+    std::erase_if(of.passed_over, [&](sending const& each) { return now - each.at > longest_; });
+    std::erase_if(of.owed, [&](sending const& each) {
+        return of.is_out_of_order ? now - each.at > out_of_order : now - std::max(each.at, of.heard) > longest_;
+    });
 }
 
 bool owed_answers::hides(byte_view question)
@@ -147,9 +212,11 @@ bool owed_answers::hides(byte_view question)
     if (unit == units_.end() or may_write(function_of(question)) or has_numbers_) {
         return false;
     }
-    forget_old(unit->second, clock::now());
-    return std::ranges::any_of(unit->second.owed,
-                               [&](sending const& each) { return function_of(each.frame) == function_of(question); });
+    auto const now = clock::now();
+    forget_old(unit->second, now);
+    return now < unit->second.rests_until or std::ranges::any_of(unit->second.owed, [&](sending const& each) {
+               return function_of(each.frame) == function_of(question);
+           });
 }
 
 bool owed_answers::owes_registers(unit_record const& of, std::byte function, unsigned count)

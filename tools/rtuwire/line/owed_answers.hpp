@@ -3,7 +3,9 @@
 // Which answers the units of a line still owe. Modbus RTU numbers no request: an answer later than all times looks like the
 // answer to the next question of the same function, as an exception does whatever was asked. A unit answers in the order in
 // which it was asked: once it has answered a later request, it owes none of those before. So where it owes answers to a
-// function, a request by another function is put in front of the next question, a mark.
+// function, a request by another function is put in front of the next question, a mark. Where a unit says what nobody asked
+// behind an answer that was taken for lost, its order is not relied on any more: there may be a converter that answers as it
+// can. It owes each answer until that comes, or for twice as long as its latest took, and is asked nothing for as long first.
 #pragma once
 
 #include <chrono>
@@ -22,6 +24,9 @@
 #include "words/option_words.hpp"
 
 namespace tool {
+
+/// So long after the time-out an answer may come yet: until then a unit is asked nothing for which that could be taken.
+inline constexpr std::chrono::milliseconds longest_lateness{1500};
 
 class owed_answers {
 public:
@@ -68,15 +73,24 @@ private:
     };
     struct unit_record {
         std::vector<sending> owed{};
+        std::vector<sending> passed_over{}; ///< what it owed before it answered a later one
+        bool is_out_of_order{false};        ///< as far as anybody can tell
+        clock::time_point rests_until{};    ///< until then whatever it owes has come: nobody knows how much that is
         clock::time_point heard{};
         std::map<std::byte, unsigned> unanswered{}; ///< marks by function, since the unit last answered by that
         std::set<std::byte> answered{};             ///< functions, also by an exception
         std::map<std::byte, frame_bytes> longest{}; ///< by function, the answered request for the most registers
         std::chrono::duration<double> latest{0}; ///< how far behind its request an answer came that nobody waited for
+        clock::duration latest_of_all{};
     };
 
     void note_heard(clock::time_point now);
+    void note_heard_bytes(rtuwire::traced_frame const& heard, clock::time_point now);
     void note_response(rtuwire::traced_frame const& frame, clock::time_point now);
+    void note_late(unit_record& of, clock::time_point asked, clock::time_point now) const;
+    void note_unasked(unit_record& of, rtuwire::byte_view frame, clock::time_point now) const;
+    /// How long a unit that answers out of order may owe an answer.
+    clock::duration longest_of(unit_record const& of) const;
     void forget_old(unit_record& of, clock::time_point now) const;
     static bool owes_registers(unit_record const& of, std::byte function, unsigned count);
     static frame_bytes part_of_known(unit_record const& of, std::byte function);

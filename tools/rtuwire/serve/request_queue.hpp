@@ -49,7 +49,7 @@ public:
     void put_back(served_request request);
 
     /// A request has no answer, or one of two: another may come yet. Until `all` nothing is taken for its unit, and until
-    /// `others` no other request of its function, whose answer that might be taken for.
+    /// `others` nothing but the same again of its function, whose answer that might be taken for.
     void leave_alone(served_request const& unanswered, serve_time all, serve_time others);
     /// Whether an answer to some request may come from a unit yet.
     [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time now) const;

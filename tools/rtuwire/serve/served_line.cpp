@@ -22,10 +22,6 @@ using rtuwire::byte_view;
 using rtuwire::errc;
 using std::chrono::steady_clock;
 
-/// An answer that comes so long after `--timeout` gives its value to no other request. Within `late_response` of the client
-/// its line takes care of that; a converter or a unit that is slow now and then takes longer.
-constexpr std::chrono::milliseconds longest_lateness{1500};
-
 rtuwire::raw_pdu<> raw_in(served_request const& request)
 {
     return {static_cast<rtuwire::function_code>(request.pdu[0]), byte_view{request.pdu}.subspan(1)};

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What a unit owes, of one that answers in the order in which it was asked, and of one that does not.
+#include "line/owed_answers.hpp"
+
+#include <cstdint>
+#include <initializer_list>
+#include <vector>
+
+#include "support/catch.hpp"
+
+using namespace rtuwire;
+using tool::owed_answers;
+
+namespace {
+
+using frame_bytes = std::vector<std::byte>;
+
+frame_bytes frame_of(std::initializer_list<unsigned> content)
+{
+    frame_bytes frame;
+    for (unsigned const each : content) {
+        frame.push_back(static_cast<std::byte>(each));
+    }
+    std::uint16_t const sum = crc16(frame);
+    frame.push_back(static_cast<std::byte>(sum & 0xFFU));
+    frame.push_back(static_cast<std::byte>(sum >> 8U));
+    return frame;
+}
+
+frame_bytes const slow = frame_of({1, 3, 0, 16, 0, 2}); // two registers
+frame_bytes const slow_answer = frame_of({1, 3, 4, 0, 16, 0, 17});
+frame_bytes const fast = frame_of({1, 3, 0, 64, 0, 2}); // two others
+frame_bytes const fast_answer = frame_of({1, 3, 4, 0, 64, 0, 65});
+frame_bytes const mark = frame_of({1, 4, 0, 0, 0, 1});
+frame_bytes const mark_answer = frame_of({1, 4, 2, 0, 0});
+
+struct line {
+    owed_answers owed{};
+
+    line() { owed.begin(client_options{.response_timeout = milliseconds(500)}, false); }
+
+    void asks(frame_bytes const& frame) { owed.note({.bytes = frame, .at = instant{0}, .is_own = true}); }
+    void hears(frame_bytes const& frame, frame_verdict as)
+    {
+        owed.note({.bytes = frame, .at = instant{0}, .verdict = as});
+    }
+    /// The slow one has no answer yet, and the mark behind it has.
+    void passes_over()
+    {
+        asks(slow);
+        asks(mark);
+        hears(mark_answer, frame_verdict::good);
+    }
+};
+
+} // namespace
+
+TEST_CASE("owed: in its order a unit owes nothing that was asked before what it has answered")
+{
+    line on;
+    on.asks(slow);
+    CHECK(on.owed.hides(fast));
+    CHECK_FALSE(on.owed.hides(mark));
+    on.passes_over();
+    CHECK_FALSE(on.owed.hides(fast));
+}
+
+TEST_CASE("owed: behind an answer that was taken for lost nobody knows what is owed: nothing is asked for a while")
+{
+    for (bool const was_taken_for_another : {false, true}) {
+        INFO(was_taken_for_another);
+        line on;
+        on.passes_over();
+        if (was_taken_for_another) { // the slow answer ends the fast request, and the fast one's comes behind
+            on.asks(fast);
+            on.hears(slow_answer, frame_verdict::good);
+            on.hears(fast_answer, frame_verdict::stray);
+        } else {
+            on.hears(slow_answer, frame_verdict::stray);
+        }
+        CHECK(on.owed.hides(fast));
+        CHECK(on.owed.hides(mark));
+        CHECK_FALSE(on.owed.hides(frame_of({1, 6, 0, 1, 0, 0}))); // a write says what it wrote
+    }
+}
+
+TEST_CASE("owed: answers that came in one lump are taken one by one")
+{
+    line on;
+    on.asks(slow);
+    on.asks(mark);
+    frame_bytes lump = slow_answer;
+    lump.insert(lump.end(), mark_answer.begin(), mark_answer.end());
+    on.hears(lump, frame_verdict::stray);
+    CHECK_FALSE(on.owed.hides(fast));
+    CHECK_FALSE(on.owed.hides(mark));
+}
+
+TEST_CASE("owed: a late answer to what was passed over is not taken for that to the same again")
+{
+    line on;
+    on.passes_over();
+    on.asks(slow); // again
+    on.hears(slow_answer, frame_verdict::late);
+    on.asks(mark);
+    on.hears(mark_answer, frame_verdict::good);
+    CHECK(on.owed.hides(fast)); // the mark pays for nothing any more
+}
+
+TEST_CASE("owed: an answer that comes twice shows no other order where nothing was taken for lost")
+{
+    line on;
+    on.asks(fast);
+    on.hears(fast_answer, frame_verdict::good);
+    on.hears(fast_answer, frame_verdict::stray);
+    on.passes_over();
+    CHECK_FALSE(on.owed.hides(fast));
+}
