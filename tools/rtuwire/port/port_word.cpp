@@ -79,7 +79,7 @@ struct address_form {
 };
 
 constexpr address_form tcp_server{"tcp://", "tcp://host:4001", ":4001", std::nullopt};
-constexpr address_form mbap_server{"mbap://", "mbap://host", "", mbap_address{}.port};
+constexpr address_form mbap_server{"mbap://", "mbap://host", "", mbap_address::usual_port};
 constexpr address_form tcp_here{"tcp://", "tcp://127.0.0.1:4001", ":4001", std::nullopt, true};
 constexpr address_form mbap_here{"mbap://", "mbap://127.0.0.1:1502", ":1502", std::nullopt, true};
 

@@ -33,8 +33,10 @@ struct tcp_address {
 
 /// A server of Modbus TCP: a device, or a gateway to the units of a line.
 struct mbap_address {
+    static constexpr std::uint16_t usual_port = 502;
+
     std::string host; ///< as of a `tcp_address`
-    std::uint16_t port{502};
+    std::uint16_t port{usual_port};
 
     friend bool operator==(mbap_address const&, mbap_address const&) = default;
 };
