@@ -13,16 +13,19 @@ using namespace rtuwire::altivar;
 
 namespace {
 
+/// In a function: Clang 14 makes no layout in a lambda that stands in a class.
+constexpr drive_layout layout_of(safeguard_layout const& safeguards, duration longest)
+{
+    drive_layout made{};
+    made.safeguards = safeguards;
+    made.longest_silence = longest;
+    return made;
+}
+
 /// A drive of which only its safeguards are asked: two registers, and a time-out that is fixed, in milliseconds.
 template <std::uint16_t Sll, std::uint16_t Tto, std::uint32_t Fixed, std::uint32_t Longest> struct guarded {
-    static constexpr drive_layout layout = [] {
-        drive_layout made{};
-        made.safeguards.sll = Sll;
-        made.safeguards.tto = Tto;
-        made.safeguards.fixed_timeout = milliseconds(Fixed);
-        made.longest_silence = milliseconds(Longest);
-        return made;
-    }();
+    static constexpr drive_layout layout =
+        layout_of({.sll = Sll, .tto = Tto, .fixed_timeout = milliseconds(Fixed)}, milliseconds(Longest));
 };
 template <std::uint16_t Sll, std::uint16_t Tto, std::uint32_t Fixed = 0, std::uint32_t Longest = 7'000>
 constexpr bool is_guarded = detail::has_timeout<guarded<Sll, Tto, Fixed, Longest>>();
