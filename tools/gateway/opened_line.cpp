@@ -181,9 +181,6 @@ void opened_line::note_asked(device_plan const& device)
 
 void opened_line::note_outcome(device_plan const& device, bool has_responded)
 {
-    if (not has_responded and not line_->port().has_numbers()) {
-        alone_until_[device.unit.unit.byte()] = clock::now() + longest_lateness;
-    }
     if (clients_) {
         clients_->note_outcome(device.unit.unit.byte(), has_responded);
     }
@@ -191,9 +188,7 @@ void opened_line::note_outcome(device_plan const& device, bool has_responded)
 
 bool opened_line::is_left_alone(std::size_t device) const
 {
-    std::uint8_t const unit = plan_.devices[device].unit.unit.byte();
-    auto const own = alone_until_.find(unit);
-    return (own != alone_until_.end() and clock::now() < own->second) or (clients_ and clients_->is_left_alone(unit));
+    return clients_ and clients_->is_left_alone(plan_.devices[device].unit.unit.byte());
 }
 
 std::string opened_line::why_wrong(device_plan const& device)

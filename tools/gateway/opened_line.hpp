@@ -4,9 +4,7 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,7 +67,6 @@ private:
     std::optional<line_clients> clients_{}; ///< outlive the line
     std::optional<open_line> line_{};
     exchange_counts counts_{};
-    std::map<std::uint8_t, clock::time_point> alone_until_{}; ///< units whose answer may come yet
 };
 
 } // namespace tool::gateway

@@ -48,11 +48,7 @@ public:
     /// What came of it: one that is silent is not asked for clients, too.
     void note_outcome_of_other(std::uint8_t unit, bool has_responded)
     {
-        auto const now = std::chrono::steady_clock::now();
-        silent_.note(unit, has_responded, now, {});
-        if (not has_responded and line_ != nullptr and not line_->port().has_numbers()) {
-            clients_.leave_alone({.unit = unit, .pdu = {std::byte{0}}}, now + longest_lateness, now);
-        }
+        silent_.note(unit, has_responded, std::chrono::steady_clock::now(), {});
     }
 
 private:
