@@ -48,18 +48,15 @@ fi
 place=$(mktemp -d)
 broker='' devices='' gateway='' shown=''
 clean_up() {
+    trap '' INT TERM HUP # a second Ctrl-C would leave the rest
     for process in $shown $gateway $devices $broker; do
-        kill "$process" 2>/dev/null || continue
-        (while sleep 1; do kill "$process"; done) >/dev/null 2>&1 & # the first is lost on what is not yet the program
-        again=$!
-        wait "$process" 2>/dev/null || :
-        kill $again # before another process has that number
-        wait $again 2>/dev/null || :
+        while kill "$process" 2>/dev/null; do sleep 0.1; done # the first is lost on what is not yet the program
     done
+    wait
     rm -rf "$place"
 }
 trap clean_up EXIT
-trap 'exit 130' INT TERM HUP
+trap "trap '' INT TERM HUP; exit 130" INT TERM HUP
 
 # Waits until a file says it, for at most 20 s.
 says() {
