@@ -3,44 +3,37 @@
 // What a unit owes, of one that answers in the order in which it was asked, and of one that does not.
 #include "line/owed_answers.hpp"
 
-#include <cstdint>
-#include <initializer_list>
+#include <cstddef>
+#include <string>
 #include <vector>
 
+#include "frame/frame_fit.hpp"
+#include "support/byte_list.hpp"
 #include "support/catch.hpp"
 
 using namespace rtuwire;
+using rtuwire::test::bytes_of;
 using tool::owed_answers;
 
 namespace {
 
 using frame_bytes = std::vector<std::byte>;
 
-frame_bytes frame_of(std::initializer_list<unsigned> content)
-{
-    frame_bytes frame;
-    for (unsigned const each : content) {
-        frame.push_back(static_cast<std::byte>(each));
-    }
-    std::uint16_t const sum = crc16(frame);
-    frame.push_back(static_cast<std::byte>(sum & 0xFFU));
-    frame.push_back(static_cast<std::byte>(sum >> 8U));
-    return frame;
-}
+frame_bytes frame(std::string const& pdu) { return tool::frame_of(std::byte{1}, bytes_of(pdu)); }
 
-frame_bytes const slow = frame_of({1, 3, 0, 16, 0, 2}); // two registers
-frame_bytes const slow_answer = frame_of({1, 3, 4, 0, 16, 0, 17});
-frame_bytes const fast = frame_of({1, 3, 0, 64, 0, 2}); // two others
-frame_bytes const fast_answer = frame_of({1, 3, 4, 0, 64, 0, 65});
-frame_bytes const mark = frame_of({1, 4, 0, 0, 0, 1});
-frame_bytes const mark_answer = frame_of({1, 4, 2, 0, 0});
+frame_bytes const slow = frame("03 00 10 00 02"); // two registers
+frame_bytes const slow_answer = frame("03 04 00 10 00 11");
+frame_bytes const fast = frame("03 00 40 00 02"); // two others
+frame_bytes const fast_answer = frame("03 04 00 40 00 41");
+frame_bytes const mark = frame("04 00 00 00 01");
+frame_bytes const mark_answer = frame("04 02 00 00");
 
 struct line {
     owed_answers owed{};
 
     line() { owed.begin(client_options{.response_timeout = milliseconds(500)}, false); }
 
-    void asks(frame_bytes const& frame) { owed.note({.bytes = frame, .at = instant{0}, .is_own = true}); }
+    void asks(frame_bytes const& asked) { owed.note({.bytes = asked, .at = instant{0}, .is_own = true}); }
     void hears(frame_bytes const& frame, frame_verdict as)
     {
         owed.note({.bytes = frame, .at = instant{0}, .verdict = as});
@@ -81,7 +74,7 @@ TEST_CASE("owed: behind an answer that was taken for lost nobody knows what is o
         }
         CHECK(on.owed.hides(fast));
         CHECK(on.owed.hides(mark));
-        CHECK_FALSE(on.owed.hides(frame_of({1, 6, 0, 1, 0, 0}))); // a write says what it wrote
+        CHECK_FALSE(on.owed.hides(frame("06 00 01 00 00"))); // a write says what it wrote
     }
 }
 

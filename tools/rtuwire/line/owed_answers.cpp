@@ -94,20 +94,17 @@ void owed_answers::note_heard_bytes(rtuwire::traced_frame const& heard, clock::t
         return note_response(heard, now);
     }
     bool has_any = false;
-    for (byte_view rest = heard.bytes; rest.size() >= rtuwire::min_adu_size;) {
-        std::size_t size = rtuwire::min_adu_size;
-        while (size <= rest.size() and whole(rest.first(size)).empty()) {
-            ++size;
-        }
-        bool const is_frame = size <= rest.size() and units_.count(rest[0]) > 0;
-        if (is_frame) {
+    for (byte_view rest = heard.bytes; not rest.empty();) {
+        bool const is_unit = units_.count(rest[0]) > 0;
+        std::size_t const size = is_unit ? frame_at_begin(rest, rtuwire::frame_role::response) : 0;
+        if (size > 0) {
+            has_any = true;
             rtuwire::traced_frame one = heard;
             one.bytes = rest.first(size);
             one.verdict = rtuwire::frame_verdict::stray;
             note_response(one, now);
         }
-        has_any = has_any or is_frame;
-        rest = rest.subspan(is_frame ? size : 1);
+        rest = rest.subspan(std::max(size, std::size_t{1}));
     }
     if (not has_any) {
         note_heard(now);
@@ -144,7 +141,10 @@ void owed_answers::note_response(rtuwire::traced_frame const& frame, clock::time
         first = of.owed.end() - 1;
     }
     if (first == of.owed.end()) {
-        return note_unasked(of, bytes, now);
+        if (not is_awaited) {
+            note_unasked(of, bytes, now);
+        }
+        return;
     }
     if (is_awaited) {
         answered_ = first->frame;
@@ -180,6 +180,7 @@ void owed_answers::note_unasked(unit_record& of, byte_view frame, clock::time_po
         of.passed_over.clear();
     }
     if (of.is_out_of_order) {
+        of.unasked_at = now;
         of.rests_until = now + longest_of(of);
     }
 }
@@ -199,6 +200,10 @@ void owed_answers::note_heard(clock::time_point now)
 
 void owed_answers::forget_old(unit_record& of, clock::time_point now) const
 {
+    if (of.is_out_of_order and now - of.unasked_at > trusted_again) {
+        of.is_out_of_order = false;
+        of.latest_of_all = {};
+    }
     clock::duration const out_of_order = longest_of(of);
     std::erase_if(of.passed_over, [&](sending const& each) { return now - each.at > longest_; });
     std::erase_if(of.owed, [&](sending const& each) {

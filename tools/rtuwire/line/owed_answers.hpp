@@ -5,7 +5,8 @@
 // which it was asked: once it has answered a later request, it owes none of those before. So where it owes answers to a
 // function, a request by another function is put in front of the next question, a mark. Where a unit says what nobody asked
 // behind an answer that was taken for lost, its order is not relied on any more: there may be a converter that answers as it
-// can. It owes each answer until that comes, or for twice as long as its latest took, and is asked nothing for as long first.
+// can. It owes each answer until that comes, or for twice as long as its latest took, and is asked nothing for as long first. An hour
+// without such an answer, and it is in order again.
 #pragma once
 
 #include <chrono>
@@ -67,6 +68,8 @@ public:
     [[nodiscard]] std::string words_of_silence(option_form form) const;
 
 private:
+    static constexpr std::chrono::hours trusted_again{1};
+
     struct sending {
         frame_bytes frame;
         clock::time_point at;
@@ -74,14 +77,15 @@ private:
     struct unit_record {
         std::vector<sending> owed{};
         std::vector<sending> passed_over{}; ///< what it owed before it answered a later one
-        bool is_out_of_order{false};        ///< as far as anybody can tell
+        bool is_out_of_order{false};        ///< as far as anybody can tell, for `trusted_again` from `unasked_at` on
+        clock::time_point unasked_at{};     ///< it said last what nobody had asked
         clock::time_point rests_until{};    ///< until then whatever it owes has come: nobody knows how much that is
         clock::time_point heard{};
         std::map<std::byte, unsigned> unanswered{}; ///< marks by function, since the unit last answered by that
         std::set<std::byte> answered{};             ///< functions, also by an exception
         std::map<std::byte, frame_bytes> longest{}; ///< by function, the answered request for the most registers
         std::chrono::duration<double> latest{0}; ///< how far behind its request an answer came that nobody waited for
-        clock::duration latest_of_all{};
+        clock::duration latest_of_all{};         ///< the longest of these, since it was in order
     };
 
     void note_heard(clock::time_point now);
