@@ -19,7 +19,14 @@
 
 namespace playground {
 
-using link = rtuwire::bus<6>;
+inline constexpr rtuwire::unit_id unit{1};
+inline constexpr rtuwire::line_timing line_speed{19'200, rtuwire::character_format::even_8_1};
+
+inline constexpr rtuwire::client_needs<> needed{.timing = line_speed,
+                                                .options = {.response_timeout = rtuwire::milliseconds(200),
+                                                            .late_response = rtuwire::milliseconds(100),
+                                                            .retries = 1}};
+using link = rtuwire::bus<6, needed>;
 
 /// A frequency as a person gives it, so fine that the register tells what lies between its own steps.
 using given_frequency = rtuwire::quantity<rtuwire::frequency, std::int64_t, std::micro>;
@@ -74,9 +81,6 @@ public:
     virtual void make(std::optional<rtuwire::altivar::stop>& order, rtuwire::altivar::stop_by how) const = 0;
     virtual void make(std::optional<rtuwire::altivar::reset_fault>& order) const = 0;
 };
-
-inline constexpr rtuwire::unit_id unit{1};
-inline constexpr rtuwire::line_timing line_speed{19'200, rtuwire::character_format::even_8_1};
 
 /// A drive by its place in `altivar::all_drives`, switched off; null behind the last.
 [[nodiscard]] std::unique_ptr<any_drive> make_drive(std::size_t place);

@@ -36,9 +36,6 @@ template <typename Conversation> struct given_order {
 
 class client_orders {
 public:
-    static constexpr rtuwire::client_options options{
-        .response_timeout = rtuwire::milliseconds(200), .late_response = rtuwire::milliseconds(100), .retries = 1};
-
     explicit client_orders(any_drive& drive) : drive_{&drive} {}
 
     /// From now on the drive is watched; its time-out is made short enough to wait for, where it can be set.

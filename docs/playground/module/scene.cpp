@@ -53,8 +53,7 @@ constexpr rtuwire::duration longest_run = rtuwire::milliseconds(1'000);
 
 scene::scene(std::unique_ptr<any_drive> drive)
     : drive_{std::move(drive)}, frames_{names_}, orders_{*drive_}, bench_{
-                                                                       link{line_speed, client_orders::options},
-                                                                       cabled_drive{*drive_},
+                                                                       link{}, cabled_drive{*drive_},
                                                                        line_tap{line_speed, rtuwire::milliseconds(150)},
                                                                        typed_frames{}}
 {
