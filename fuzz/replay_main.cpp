@@ -23,7 +23,7 @@ int main(int argc, char** argv)
             std::vector<char> const text{std::istreambuf_iterator<char>{file}, {}};
             std::vector<std::uint8_t> const input{text.begin(), text.end()};
             // The last name printed is the one that crashed.
-            std::printf("%s\n", entry.path().filename().c_str());
+            std::printf("%s\n", entry.path().filename().string().c_str());
             std::fflush(stdout);
             LLVMFuzzerTestOneInput(input.data(), input.size());
             ++replayed;
