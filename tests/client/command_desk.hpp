@@ -90,6 +90,7 @@ struct hand_for_all : commander {
     effect intent() const { return has_request ? effect::stopping : effect::none; }
     bool is_urgent() const { return has_request; }
     void note_unlisted(std::uint16_t control_word) { unlisted.push_back(control_word); }
+    std::uint8_t unit_told() const { return static_cast<std::uint8_t>(to); }
     bool may_cut(std::uint8_t) const { return true; }
     std::optional<request_frame> next()
     {

@@ -87,6 +87,7 @@ template <typename Base> struct with_stops : Base {
     static effect intent() { return effect::none; }
     static bool is_urgent() { return false; }
     static void note_unlisted(std::uint16_t) {}
+    static std::uint8_t unit_told() { return 0; }
     static bool may_cut(std::uint8_t) { return false; }
 };
 template <typename Base> struct everyone_on : with_stops<Base> {

@@ -35,6 +35,7 @@ struct stop_of_others : commander {
     effect intent() const { return effect::stopping; }
     bool is_urgent() const { return true; }
     void note_unlisted(std::uint16_t) {}
+    std::uint8_t unit_told() const { return 0; }
     bool may_cut(std::uint8_t) const { return false; }
     std::array<hand_stop, 1> one{hand_stop{unit_id{1}}};
 };

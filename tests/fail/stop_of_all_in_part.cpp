@@ -34,6 +34,7 @@ struct stop_of_some : commander {
     bool is_urgent() const { return true; }
     void note_unlisted(std::uint16_t) {}
 #ifndef REFUSED
+    std::uint8_t unit_told() const { return 0; }
     bool may_cut(std::uint8_t) const { return false; }
 #endif
     std::array<hand_stop, 1> one{hand_stop{unit_id{1}}};

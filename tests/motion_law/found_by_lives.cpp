@@ -12,6 +12,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/altivar/procedure/motion/direct_control.hpp>
 #include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
@@ -616,4 +617,41 @@ TEST_CASE(
         }
         CHECK(both > 0);
     });
+}
+
+TEST_CASE("motion law: L3 two stops of everyone that one drive does not answer keep the line from no other stop")
+{
+    using device = atv320::device;
+    for (bool const frees_all : {false, true}) {
+        INFO(frees_all);
+        hall<device> it;
+        it.cut(0, true);
+        broadcast_stop first{it.motor}, second{it.motor};
+        it.pass(
+            [&](instant at) {
+                it.link().converse(first, at);
+                it.link().converse(second, at);
+            },
+            milliseconds(3'000)); // the broadcasts are over, and each of them tells drive 3 again and again
+        REQUIRE_FALSE(first.settled());
+        REQUIRE_FALSE(second.settled());
+        stop rest{it.other};
+        auto free = broadcast_freewheel<device>();
+        std::size_t const before = it.requests();
+        bool is_told = false;
+        auto const work = [&](instant at) {
+            it.link().converse(first, at);
+            it.link().converse(second, at);
+            if (frees_all) {
+                it.link().converse(free, at);
+            } else {
+                it.link().converse(rest, at);
+            }
+            byte_view const frame = it.request();
+            is_told = is_told or (it.requests() != before and to_u8(frame[0]) == (frees_all ? 0 : 4));
+        };
+        it.pass(work, milliseconds(1'000));
+        CHECK(is_told);
+        CHECK(it.requests() > before + 4); // and drive 3 goes on to be told
+    }
 }

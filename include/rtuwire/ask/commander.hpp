@@ -321,8 +321,8 @@ template <typename T> [[nodiscard]] constexpr auto& as_visited(T& conversation) 
 }
 
 /// A conversation that stops all units of a line: it declares `urgency::stop_of_all`. It stops them by broadcasts
-/// first, while `is_urgent`, then one by one, by the commanders that `stops` gives. `may_cut` tells whether a unit's
-/// outstanding response need not be waited for. `note_unlisted` tells that a unit which none of them stops is ordered to run,
+/// first, while `is_urgent`, then one by one, by the commanders that `stops` gives. `unit_told` is the unit of its next word, 0
+/// for all; `may_cut` tells whether a unit's outstanding response need not be waited for. `note_unlisted` tells that a unit which none of them stops is ordered to run,
 /// and the control word's address that was read to be its own; 0 or `other_meaning` where none was.
 template <typename T>
 concept stops_by_broadcast = conversation<T> and std::derived_from<T, commander> and
@@ -337,6 +337,9 @@ concept stops_by_broadcast = conversation<T> and std::derived_from<T, commander>
     {
         conversation.is_urgent()
         } -> std::same_as<bool>;
+    {
+        conversation.unit_told()
+        } -> std::same_as<std::uint8_t>;
     {
         conversation.may_cut(unit)
         } -> std::same_as<bool>;
@@ -362,7 +365,9 @@ template <conversation T> [[nodiscard]] constexpr effect effect_of(T const& conv
 /// The unit that a stop request stops; 0 for one of several.
 template <conversation T> [[nodiscard]] constexpr std::uint8_t unit_stopped_by(T const& conversation) noexcept
 {
-    if constexpr (commanding_conversation<T>) {
+    if constexpr (stops_by_broadcast<T>) {
+        return conversation.unit_told();
+    } else if constexpr (commanding_conversation<T>) {
         return conversation.unit().byte();
     }
     return 0;

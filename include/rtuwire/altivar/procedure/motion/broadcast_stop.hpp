@@ -262,10 +262,14 @@ public:
             rounds_.add(each.layout().other_cmd);
         }
     }
+    [[nodiscard]] constexpr std::uint8_t unit_told() const noexcept
+    {
+        return rounds_.is_over() ? stops_[candidate()].unit().byte() : std::uint8_t{0};
+    }
     [[nodiscard]] constexpr bool may_cut(std::uint8_t unit) const noexcept
     {
         if (rounds_.is_over()) {
-            return stops_[candidate()].unit().byte() == unit;
+            return unit == unit_told();
         }
         for (std::size_t i = 0; i < Drives; ++i) {
             if (fails_when_cut_[i] and stops_[i].unit().byte() == unit) {
