@@ -655,3 +655,26 @@ TEST_CASE("motion law: L3 two stops of everyone that one drive does not answer k
         CHECK(it.requests() > before + 4); // and drive 3 goes on to be told
     }
 }
+
+TEST_CASE("motion law: L3 a halt of a cycle whose words get lost, and whose reads do not, becomes the ramp")
+{
+    using device = atv320::device;
+    hall<device> it;
+    cyclic<device> loop{it.motor, {.period = milliseconds(50)}};
+    auto const cycle = [&](instant at) { it.link().converse(loop, at); };
+    it.pass(cycle, milliseconds(500));
+    REQUIRE(loop.run(1'200_rpm));
+    it.pass(cycle, milliseconds(4'000));
+    REQUIRE(it.has_power());
+    unsigned halts = 0;
+    it.disturb([&](auto& frame, bool is_request) {
+        if (is_request and it.is_told(0x010F)) {
+            ++halts;
+            frame.clear();
+        }
+    });
+    loop.stop(stop_by::halt);
+    it.pass(cycle, milliseconds(6'000));
+    CHECK(halts == 3);
+    CHECK_FALSE(it.has_power());
+}

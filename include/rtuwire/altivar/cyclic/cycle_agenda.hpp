@@ -254,6 +254,7 @@ public:
     }
     constexpr void stop(stop_by how) noexcept
     {
+        unheard_halts_ = 0;
         control_.stop(how);
         duty_.take_stop(control_.is_halting());
     }
@@ -292,6 +293,7 @@ public:
     /// The drive accepted the stop command; its state is read next.
     constexpr void end_stop_word(bool is_prepared) noexcept
     {
+        unheard_halts_ = 0;
         duty_.note_said();
         position_.go_to(is_prepared ? step::observe : step::look);
         if (not is_lost_) {
@@ -395,6 +397,9 @@ public:
             return false;
         }
         if (now() == step::say_stop) { // repeated, as long as the client allows it
+            if (control_.is_halting() and ++unheard_halts_ == most_unheard_halts) {
+                stop(stop_by::ramp);
+            }
             position_.go_to(control_.is_halting() ? step::observe : step::say_stop);
             return false;
         }
@@ -453,10 +458,15 @@ private:
         return not control_.is_running();
     }
 
+    /// So many words of a halt in a row without an answer, with answered reads between them, and the ramp's takes its place: that is
+    /// repeated without a read, and ends in silence.
+    static constexpr std::uint8_t most_unheard_halts = 3;
+
     cyclic_control control_{};
     stop_duty duty_{};
     cycle_position position_;
     std::uint8_t misses_{0};
+    std::uint8_t unheard_halts_{0};
     bool is_lost_{true};
     bool waits_{false}; ///< a period, until the next request
 };

@@ -347,7 +347,7 @@ public:
 
     /// Withdraws the order: the motor stops on its ramp, or by `how`; on the ramp, too, where the device has no halt.
     /// The stop command is sent at once, before the requests of all others and before any read; a halt is sent after
-    /// a read. `run` is accepted again once the motor is at rest. After a loss, and behind a missing response, the motor
+    /// a read, and becomes the ramp where three of its words in a row get no answer. `run` is accepted again once the motor is at rest. After a loss, and behind a missing response, the motor
     /// coasts, as for a `stop` of a drive that this client has not checked; a cycle slower than 0.5 s reads CHCF first.
     constexpr void stop(stop_by how = stop_by::ramp) noexcept
     {
