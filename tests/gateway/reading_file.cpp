@@ -459,11 +459,28 @@ TEST_CASE("a line that answers clients says which units they may read")
              {"units = \"3\"\nlisten = \"mbap://127.0.0.1\"",
               "15:10: listen: port mbap://127.0.0.1: no port is named; it is like mbap://127.0.0.1:1502"},
              {"units = \"3\"\nlisten = \"mbap://localhost:0\"", "15:10: listen: port 0 is any that is free"},
+             {"units = \"3\"\nlisten = \"mbap://224.0.0.1:1502\"",
+              "15:10: listen: port mbap://224.0.0.1:1502: this is an address of many machines at once"},
+             {"units = \"3\"\nlisten = \"mbap://[ff02::1]:1502\"",
+              "15:10: listen: port mbap://[ff02::1]:1502: this is an address of many machines at once"},
+             {"units = \"3\"\nlisten = \"mbap://0.0.0.0:1502\"\nfrom = [\"fd00::/8\", \"::1\"]",
+              "16:8: from: nobody could connect to mbap://0.0.0.0:1502, which is of IPv4, from addresses of IPv6 "
+              "alone"},
+             {"units = \"3\"\nfrom = [\"fd00::/8\"]", "15:8: from: nobody could connect to mbap://127.0.0.1:1502,"},
+             {"units = \"3\"\nlisten = \"mbap://[fd00::1]:1502\"\nfrom = [\"10.0.0.0/8\"]",
+              "16:8: from: nobody could connect to mbap://[fd00::1]:1502, which is of IPv6, from addresses of IPv4 "
+              "alone"},
              {"units = \"3\"\nfrom = \"10.0.0.1\"", "15:8: from is a list"},
              {"units = \"3\"\nfrom = [\"10.0.0.0/8\",\n\"10.0.0.1/8\"]", "16:1: from 10.0.0.1/8"}}) {
         std::string const found = folder.refusal(with_serve(keys)) + '\n';
         CAPTURE(keys, found);
         CHECK(found.starts_with("gateway.toml:" + why));
+    }
+    for (std::string const keys : {"listen = \"mbap://0.0.0.0:1502\"\nfrom = [\"fd00::/8\", \"10.0.0.0/8\"]",
+                                   "listen = \"mbap://[::]:1502\"\nfrom = [\"fd00::/8\"]",
+                                   "listen = \"mbap://[::]:1502\"\nfrom = [\"10.0.0.0/8\"]"}) {
+        CAPTURE(keys);
+        CHECK(folder.refusal(with_serve("units = \"3\"\n" + keys)) == "taken");
     }
     CHECK(folder.refusal(with(right, "rs485 = false\n", "serve = 3\n")) ==
           "gateway.toml:13:9: serve is a table: its keys stand in lines behind [line.serve]");
@@ -499,6 +516,35 @@ TEST_CASE("two lines listen at two places")
     for (auto const& [one, other] : others) {
         CAPTURE(one, other);
         CHECK_NOTHROW(folder.read(two(one, other)));
+    }
+}
+
+TEST_CASE("a line does not ask itself")
+{
+    file_folder const folder;
+    std::string const right = with(with(whole, "settings = [\"ITH\"]\n", ""), "rs485 = false\n", "");
+    auto const refusal = [&](std::string const& port, std::string const& listen) {
+        return folder.refusal(with(with(right, "sim:atv320:7", port), "[[line.device]]",
+                                   "[line.serve]\nunits = \"3\"\nlisten = \"" + listen + "\"\n[[line.device]]"));
+    };
+    std::pair<std::string, std::string> const same[]{
+        {"mbap://127.0.0.1:1502", "mbap://127.0.0.1:1502"}, {"mbap://127.0.0.1:1502", "mbap://0.0.0.0:1502"},
+        {"tcp://LocalHost:1502", "mbap://127.0.0.1:1502"},  {"mbap://localhost:1502", "tcp://[::1]:1502"},
+        {"mbap://[::1]:1502", "mbap://[::]:1502"},          {"mbap://0.0.0.0:1502", "mbap://127.0.0.1:1502"},
+        {"mbap://192.168.1.7", "mbap://192.168.1.7:502"}};
+    for (auto const& [port, listen] : same) {
+        std::string const found = refusal(port, listen);
+        CAPTURE(port, listen, found);
+        CHECK(found.starts_with("gateway.toml:15:10: listen: " + listen + " is the line's own port, " + port));
+    }
+    std::pair<std::string, std::string> const others[]{{"mbap://127.0.0.1:1503", "mbap://127.0.0.1:1502"},
+                                                       {"mbap://192.168.1.7:1502", "mbap://0.0.0.0:1502"},
+                                                       {"mbap://meter:1502", "mbap://0.0.0.0:1502"},
+                                                       {"mbap://[::1]:1502", "mbap://127.0.0.1:1502"},
+                                                       {"mbap://[::1]:1502", "mbap://0.0.0.0:1502"}};
+    for (auto const& [port, listen] : others) {
+        CAPTURE(port, listen);
+        CHECK(refusal(port, listen) == "taken");
     }
 }
 

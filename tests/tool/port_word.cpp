@@ -128,6 +128,12 @@ TEST_CASE("who listens names an address of this machine by its number, and a por
             CHECK(found.nearest == (host == "*" ? start + "0.0.0.0:1502" : ""));
         }
     }
+    for (std::string const host : {"224.0.0.1", "239.255.255.250", "255.255.255.255", "[ff02::1]", "[ff02::1%eth0]"}) {
+        for (std::string const start : {"mbap://", "tcp://"}) {
+            CHECK(has(refused_to_listen(start + host + ":1502").sentence, "an address of many machines at once"));
+        }
+    }
+    CHECK(listens("tcp://223.255.255.255:1") == port_description{tcp_address{"223.255.255.255", 1}});
     CHECK(refused_to_listen("mbap://127.0.0.1").nearest == "mbap://127.0.0.1:1502");
     CHECK(refused_to_listen("mbap://localhost").nearest == "mbap://localhost:1502");
     CHECK(refused_to_listen("tcp://127.0.0.1").nearest == "tcp://127.0.0.1:4001");

@@ -275,6 +275,24 @@ TEST_CASE("serve: clients are known by their address")
         INFO(wrong);
         CHECK_FALSE(tool::client_range::of(wrong));
     }
+    auto const reaches = [](std::string const& range, std::string const& host) {
+        return tool::client_range::of(range)->can_reach(host);
+    };
+    for (std::string const four :
+         {"10.0.0.0/8", "0.0.0.0/0", "::ffff:10.0.0.0/104", "::ffff:0:0/96", "::/0", "::/64"}) {
+        CAPTURE(four);
+        CHECK(reaches(four, "0.0.0.0"));
+        CHECK(reaches(four, "::ffff:127.0.0.1"));
+        CHECK(reaches(four, "::"));
+        CHECK(reaches(four, "::1") == (four.ends_with("::/0") or four.ends_with("/64")));
+    }
+    for (std::string const six : {"fd00::/8", "::1", "fe80::/10", "::/1"}) {
+        CAPTURE(six);
+        CHECK(reaches(six, "0.0.0.0") == (six == "::/1"));
+        CHECK(reaches(six, "192.168.1.7") == (six == "::/1"));
+        CHECK(reaches(six, "fe80::1%eth0"));
+        CHECK(reaches(six, "0:0::0"));
+    }
     CHECK(tool::is_loopback("127.3.2.1"));
     CHECK(tool::is_loopback("::1"));
     CHECK_FALSE(tool::is_loopback("0.0.0.0"));

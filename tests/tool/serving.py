@@ -978,6 +978,10 @@ def words(check, program):
                             (["--functions", "x"], ["x"]), (["--from", "abc"], ["abc"]), (["--from", "1.2.3.4/33"], ["1.2.3.4/33"]),
                             (["--from", "1.2.3"], ["1.2.3"]), (["--metrics", "nowhere"], ["nowhere"]), (["--metrics", "127.0.0.1:70000"], ["70000"]),
                             (["--write", "--listen", "mbap://0.0.0.0:0"], ["--from", "0.0.0.0"]), (["--for", "soon"], ["soon"]),
+                            (["--listen", "mbap://224.0.0.1:1502"], ["224.0.0.1", "many machines"]),
+                            (["--listen", "tcp://[ff02::1]:1502"], ["ff02::1", "many machines"]), (["--metrics", "224.0.0.1:9502"], ["224.0.0.1"]),
+                            (["--listen", "mbap://0.0.0.0:0", "--from", "fd00::/8"], ["--from", "mbap://0.0.0.0:0", "IPv6 alone"]),
+                            (["--listen", "mbap://[::1]:0", "--from", "10.0.0.0/8"], ["--from", "mbap://[::1]:0", "IPv4 alone"]),
                             (["--allow-run"], ["--allow-run"]), (["--allow-run", "--write"], ["--allow-run"]), (["--allow-broadcast"], ["--write"])):
             ended = tool.run("serve", *said, "--for", "0.1s", port=line.name) if "--for" not in said else tool.run("serve", *said, port=line.name)
             check(ended.status in (USAGE, REFUSED, PORT) and all(each in ended.errors for each in names), f"refused, with its word: {' '.join(said)}", ended)
@@ -991,6 +995,9 @@ def words(check, program):
         check(not line.requests, "and nothing of all that was on the line", line.requests)
         ended = tool.run("serve", "--for", "0.1s", port="mbap://127.0.0.1:1")
         check(ended.status == PORT and "127.0.0.1:1" in ended.errors, "nobody is behind the port", ended)
+        own = f"mbap://127.0.0.1:{free_port()}"
+        ended = tool.run("serve", "--listen", own, "--for", "0.1s", port=own)
+        check(ended.status == USAGE and f"{own} is the line's own port" in ended.errors, "a line that would ask itself", ended)
         # Another test may have it: then the error names it.
         ended = tool.run("serve", "--units", "1", "--for", "0.2s", port=line.name)
         check("127.0.0.1:1502" in ended.output + ended.errors and ended.status in (DONE, PORT), "without a word it listens on 127.0.0.1:1502", ended)

@@ -78,17 +78,6 @@ bool is_host(std::string const& text)
     return has_letter and text.size() <= 253 and std::ranges::all_of(labels, is_label);
 }
 
-/// Whether who listens at one of these addresses takes connections to the other, too. 0.0.0.0 and :: are all.
-bool are_one_place(std::string const& one, std::string const& other)
-{
-    auto const takes = [](std::string const& host, std::string const& at) {
-        bool const is_all = host == "0.0.0.0" or host == "::";
-        auto const range = client_range::of(is_all ? host + "/0" : host);
-        return host == at or (range and range->has(at));
-    };
-    return takes(one, other) or takes(other, one);
-}
-
 /// What a label is as a part of a topic: "ETA.fault" is ETA_fault.
 std::string topic_word(std::string text)
 {
@@ -484,6 +473,12 @@ private:
         }
         toml::source_region const at = place_of(*said, "listen");
         serve_settings const settings = settings_of(at, to);
+        for (auto const& [key, why] : {std::pair{"listen", why_it_asks_itself(settings, line.choices)},
+                                       std::pair{"from", why_nobody_comes(settings)}}) {
+            if (not why.empty()) {
+                refuse(place_of(*said, key), why);
+            }
+        }
         refuse_taken_place({line.name, to.listen.front(), settings.listen.front().at}, at);
         if (settings.is_for_anybody() and not is_loopback(settings.listen.front().at.host)) {
             plan_.notes.push_back(line.name + ": whoever reaches " + to.listen.front() +

@@ -42,6 +42,11 @@ void tell_what_is_served(choices const& chosen, serve_settings const& settings)
 exit_status run_serve(choices const& chosen)
 {
     serve_settings const settings = serve_settings_in(chosen);
+    for (std::string const& why : {why_it_asks_itself(settings, chosen.line), why_nobody_comes(settings)}) {
+        if (not why.empty()) {
+            refuse_word(why);
+        }
+    }
     // So long the request that is under way may take: whether something was written is answered.
     std::chrono::duration<double> const response_time{chosen.line.response_timeout.value_or(1.0)};
     serve_counts counts;

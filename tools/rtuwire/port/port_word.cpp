@@ -63,6 +63,17 @@ bool is_ipv6(std::string_view host)
     return ::inet_pton(AF_INET6, std::string{host.substr(0, host.find('%'))}.c_str(), &place) == 1;
 }
 
+/// 224.0.0.1, ff02::1 or 255.255.255.255: many machines at once. A system lets somebody listen there, to whom nobody can connect.
+bool is_group(std::string_view host)
+{
+    in_addr four{};
+    in6_addr six{};
+    std::string const number{host.substr(0, host.find('%'))};
+    bool const is_four = ::inet_pton(AF_INET, number.c_str(), &four) == 1;
+    bool const is_six = ::inet_pton(AF_INET6, number.c_str(), &six) == 1;
+    return is_four ? ntohl(four.s_addr) >> 24U >= 224U : is_six and six.s6_addr[0] == 0xFFU;
+}
+
 std::string host_in(std::string_view host)
 {
     bool const has_brackets = host.size() >= 2 and host.front() == '[' and host.back() == ']';
@@ -125,6 +136,10 @@ meaning read_host(std::string_view place, address_form const& form)
         return wrong("who listens names an address of this machine, 127.0.0.1 for itself alone, 0.0.0.0 for all that "
                      "reach it; no name is looked up",
                      name == "*" ? start + "0.0.0.0:" + std::to_string(number) : std::string{});
+    } else if (form.is_here and is_group(name)) {
+        return wrong(
+            "this is an address of many machines at once, to which nobody can connect; who listens names one of "
+            "this machine, 127.0.0.1 for itself alone, 0.0.0.0 for all that reach it");
     }
     return form.start == mbap_server.start ? found(mbap_address{name, number}) : found(tcp_address{name, number});
 }

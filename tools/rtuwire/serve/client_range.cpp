@@ -57,6 +57,27 @@ bool client_range::has(std::string const& host) const
     return all and begin_of(*all, length_) == first_;
 }
 
+bool client_range::can_reach(std::string const& host) const
+{
+    bool const is_all_six = bytes_of(host) == bytes{};
+    client_range const four = *of("0.0.0.0/0");
+    unsigned const shared = std::min(length_, bits_before_four);
+    bool const has_four = begin_of(first_, shared) == begin_of(four.first_, shared);
+    bool const has_six = not has_four or length_ < bits_before_four;
+    return is_all_six or (four.has(host) ? has_four : has_six);
+}
+
+bool is_all_here(std::string const& host) { return host == "0.0.0.0" or host == "::"; }
+
+bool are_one_place(std::string const& one, std::string const& other)
+{
+    auto const takes = [](std::string const& host, std::string const& at) {
+        auto const range = client_range::of(is_all_here(host) ? host + "/0" : host);
+        return host == at or (range and range->has(at));
+    };
+    return takes(one, other) or takes(other, one);
+}
+
 bool is_loopback(std::string const& host)
 {
     return client_range::of("127.0.0.0/8")->has(host) or client_range::of("::1")->has(host);

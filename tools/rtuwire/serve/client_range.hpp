@@ -18,6 +18,9 @@ public:
     /// Whether an address is one of them; `host` is its number. One of IPv4 is the same as IPv6 maps it.
     [[nodiscard]] bool has(std::string const& host) const;
 
+    /// Whether one of them can connect to who listens at that number: by IPv4 to one of IPv4, by IPv6 to one of IPv6, by both to "::".
+    [[nodiscard]] bool can_reach(std::string const& host) const;
+
     /// Whether it leaves nobody out that has an address of IPv4.
     [[nodiscard]] bool has_all() const { return length_ <= bits_before_four and has("0.0.0.0"); }
 
@@ -31,6 +34,12 @@ private:
     bytes first_{};
     unsigned length_{0}; ///< so many bits are the same
 };
+
+/// 0.0.0.0 or ::, at which whoever listens does so at all addresses of this machine.
+[[nodiscard]] bool is_all_here(std::string const& host);
+
+/// Whether who listens at one of these addresses takes connections to the other, too.
+[[nodiscard]] bool are_one_place(std::string const& one, std::string const& other);
 
 /// Whether it is an address by which this machine reaches itself, and nobody else does.
 [[nodiscard]] bool is_loopback(std::string const& host);

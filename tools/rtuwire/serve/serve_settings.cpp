@@ -41,11 +41,18 @@ std::set<std::uint8_t> functions_in(std::string const& word)
     return all;
 }
 
+std::string place_of(listen_place const& which)
+{
+    bool const is_six = which.at.host.find(':') != std::string::npos;
+    return std::string{name_of(which.protocol)} + "://" + (is_six ? '[' + which.at.host + ']' : which.at.host) + ':' +
+           std::to_string(which.at.port);
+}
+
 tcp_address place_of_metrics(std::string const& word)
 {
     port_choice const which = read_listen_word("tcp://" + word);
     if (which.refused) {
-        refuse_word("--metrics " + word + ": " + "it is an address and a port, such as 127.0.0.1:9502");
+        refuse_word("--metrics " + word + ": " + "it is an address of this machine and a port, such as 127.0.0.1:9502");
     }
     return std::get<tcp_address>(which.port);
 }
@@ -123,6 +130,46 @@ serve_settings serve_settings_in(choices const& chosen)
     }
     settings.last = chosen.last;
     return settings;
+}
+
+std::string why_it_asks_itself(serve_settings const& settings, line_choices const& line)
+{
+    port_description const port = read_port_word(line.port).port;
+    auto const* const numbered = std::get_if<mbap_address>(&port);
+    auto const* const plain = std::get_if<tcp_address>(&port);
+    tcp_address const asked = numbered != nullptr ? tcp_address{numbered->host, numbered->port}
+                              : plain != nullptr  ? *plain
+                                                  : tcp_address{};
+    bool const is_name = is_same_word(asked.host, "localhost");
+    bool const is_here = is_name or is_all_here(asked.host) or is_loopback(asked.host);
+    for (listen_place const& each : settings.listen) {
+        // Who listens at all addresses has none of other machines.
+        auto const has = [&each, is_here](std::string const& host) {
+            return are_one_place(each.at.host, host) and (is_here or not is_all_here(each.at.host));
+        };
+        bool const is_own = is_name ? has("127.0.0.1") or has("::1") : has(asked.host);
+        if (each.at.port == asked.port and is_own) {
+            return option_words(settings.gate.form, line_option::listen) + ": " + place_of(each) +
+                   " is the line's own port, " + line.port +
+                   ": it would ask itself; say another port to listen at, or the one of the server to ask";
+        }
+    }
+    return {};
+}
+
+std::string why_nobody_comes(serve_settings const& settings)
+{
+    for (listen_place const& each : settings.listen) {
+        auto const can_reach = [&each](client_range const& one) { return one.can_reach(each.at.host); };
+        if (not settings.from.empty() and std::ranges::none_of(settings.from, can_reach)) {
+            bool const is_four = client_range::of("0.0.0.0/0")->has(each.at.host);
+            std::string const kind = is_four ? "IPv4" : "IPv6";
+            return option_words(settings.gate.form, line_option::from) + ": nobody could connect to " + place_of(each) +
+                   ", which is of " + kind + ", from addresses of " + (is_four ? "IPv6" : "IPv4") +
+                   " alone: name some of " + kind + ", or listen at [::], which is of both";
+        }
+    }
+    return {};
 }
 
 } // namespace tool

@@ -51,4 +51,10 @@ struct serve_settings {
 /// Refuses what is wrong in itself.
 [[nodiscard]] serve_settings serve_settings_in(choices const& chosen);
 
+/// Why a place to listen at cannot be the line's own port; empty where none is.
+[[nodiscard]] std::string why_it_asks_itself(serve_settings const& settings, line_choices const& line);
+
+/// Why none of `from` can connect to a place to listen at; empty where some can to each.
+[[nodiscard]] std::string why_nobody_comes(serve_settings const& settings);
+
 } // namespace tool
