@@ -3,6 +3,7 @@
 // What a unit owes, of one that answers in the order in which it was asked, and of one that does not.
 #include "line/owed_answers.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -109,4 +110,36 @@ TEST_CASE("owed: an answer that comes twice shows no other order where nothing w
     on.hears(fast_answer, frame_verdict::stray);
     on.passes_over();
     CHECK_FALSE(on.owed.hides(fast));
+}
+
+TEST_CASE("owed: what comes while nobody waits is an answer, whole, in parts or beside others")
+{
+    frame_bytes both = slow_answer;
+    both.insert(both.end(), mark_answer.begin(), mark_answer.end());
+    frame_bytes noise{std::byte{0x55}};
+    noise.insert(noise.end(), slow_answer.begin(), slow_answer.end());
+    for (frame_bytes const& all : {slow_answer, noise, both}) {
+        for (std::size_t part = 1; part <= all.size(); ++part) {
+            CAPTURE(all.size(), part);
+            line on;
+            on.asks(slow);
+            for (std::size_t at = 0; at < all.size(); at += part) {
+                on.owed.note_unawaited(byte_view{all}.subspan(at, std::min(part, all.size() - at)));
+            }
+            CHECK_FALSE(on.owed.hides(fast)); // it owes nothing more
+
+            line other; // where the slow answer was taken for lost it tells that the order is none
+            other.passes_over();
+            CHECK_FALSE(other.owed.hides(fast));
+            for (std::size_t at = 0; at < all.size(); at += part) {
+                other.owed.note_unawaited(byte_view{all}.subspan(at, std::min(part, all.size() - at)));
+            }
+            CHECK(other.owed.hides(fast));
+        }
+    }
+    line on;
+    on.asks(slow);
+    on.owed.note_unawaited(frame("04 02 00 00"));
+    on.owed.note_unawaited(frame_bytes{std::byte{1}, std::byte{3}, std::byte{0}});
+    CHECK(on.owed.hides(fast));
 }

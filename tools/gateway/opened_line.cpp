@@ -115,6 +115,9 @@ void opened_line::wait(clock::time_point until)
 {
     if (clients_) {
         clients_->wait(line_ ? line_->port().descriptor_number() : -1, until);
+        if (line_) { // what has come meanwhile
+            line_->let_pass(std::chrono::microseconds{0});
+        }
     } else if (line_) {
         auto const left = std::chrono::ceil<std::chrono::microseconds>(until - now());
         line_->let_pass(std::max(left, std::chrono::microseconds{0}));

@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|waited|late|repeated|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|late|overtaken|repeated|pulled|replaced|many
 """
 import json
 import os
@@ -154,6 +154,56 @@ def late(check, program, _):
             check(soon(lambda: "its answers come too late, the last after " in gateway.said(), LIMIT), "that is told", gateway.said())
             check("say timeout = " in gateway.said() and "longer periods" not in gateway.said(), "with the key that helps", gateway.said())
             line.delay = 0
+
+
+class Overtaking(Units):
+    """A unit that answers for its slow register 0 out of order: LATEST s behind the request, while nothing is asked; or, where it `crosses`,
+    earlier, in the place of the answer for register 20, which follows."""
+
+    LATEST = 1.7
+    crosses = False
+
+    def __init__(self, units):
+        super().__init__(units)
+        self.held, self.guard = [], threading.RLock()
+
+    def answer(self, request):
+        found = super().answer(request)
+        if request[1] != 4 or not found:
+            return found
+        with self.guard:
+            if request[3] == 0:
+                self.held.append([with_crc(found)])
+                threading.Timer(self.LATEST, self.release, self.held[-1:]).start()
+                return None
+            if self.crosses and self.held:
+                self.release(self.held[0])
+                time.sleep(0.05)
+        return found
+
+    def release(self, which):
+        with self.guard:
+            if any(each is which for each in self.held):
+                self.held = [each for each in self.held if each is not which]
+                self.say(which[0])
+
+
+def overtaken(check, program, _):
+    """A unit whose answers overtook each other while nothing was asked: no value of it is another register's, when they do so later."""
+    names = {"quick": 20, "slow": 0}
+    with Folder() as folder, Broker(folder) as broker, Overtaking({3: {0: 11111, 20: 222, 40: 3}}) as line, Client(broker.port, "rtuwire/#") as client:
+        (folder / "two.toml").write_text("".join(f'[[register]]\nname = "{name}"\nspace = "input"\naddress = {at}\n' for name, at in names.items()),
+                                         encoding="utf-8")
+        device = {"name": "meter", "unit": 3, "file": "two.toml", "every": 1.0}
+        with Gateway(program, folder, text_of(broker.port, [a_line(line.name, device, timeout=0.3, retries=0)])):
+            def told(name):
+                return [each.values[name]["value"] for each in states(client) if each.values.get(name, {}).get("value") is not None]
+            check(soon(lambda: len([each for each in line.requests if each[1][1:4] == b"\4\0\0"]) > 3, LIMIT), "it is read")
+            line.crosses = True
+            count = len(line.requests)
+            check(soon(lambda: len(line.requests) > count + 20, LIMIT), "and goes on to be")
+            check(set(told("slow")) <= {11111} and set(told("quick")) <= {222}, "no value is another register's", (told("slow"), told("quick")))
+            check(told("quick"), "the quick one comes")
 
 
 class Repeating(Units):
@@ -318,7 +368,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
+    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "overtaken": overtaken, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
     parts[part](check, program, tool, *more)
 
 

@@ -118,7 +118,7 @@ void open_line::let_pass(std::chrono::microseconds time)
         throw ended{exit_status::port, port_.failure()};
     }
     if (not heard->empty()) {
-        exchange_.owed().note_unseen();
+        exchange_.owed().note_unawaited(*heard);
     }
 }
 

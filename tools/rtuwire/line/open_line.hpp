@@ -91,7 +91,7 @@ public:
         return noted([&] { return answer_to<Request>(request_once<Request>{to, request}); });
     }
 
-    /// What comes in so long a time, or earlier, is nobody's answer. Ends where the port fails.
+    /// What comes in so long a time, or earlier, answers nothing that is waited for; it may be owed. Ends where the port fails.
     void let_pass(std::chrono::microseconds time);
 
     /// From here on requests are counted there; null ends it.

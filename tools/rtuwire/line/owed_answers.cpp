@@ -87,35 +87,54 @@ void owed_answers::note(rtuwire::traced_frame const& frame)
     }
 }
 
-/// What came while nobody waited may be several answers in one lump.
-void owed_answers::note_heard_bytes(rtuwire::traced_frame const& heard, clock::time_point now)
+void owed_answers::note_unawaited(byte_view bytes)
 {
-    if (not whole(heard.bytes).empty()) {
-        return note_response(heard, now);
+    auto const now = clock::now();
+    if (now - unawaited_at_ > longest_gap) {
+        unawaited_.clear();
     }
-    bool has_any = false;
-    for (byte_view rest = heard.bytes; not rest.empty();) {
-        bool const is_unit = units_.count(rest[0]) > 0;
-        std::size_t const size = is_unit ? frame_at_begin(rest, rtuwire::frame_role::response) : 0;
-        if (size > 0) {
-            has_any = true;
-            rtuwire::traced_frame one = heard;
-            one.bytes = rest.first(size);
-            one.verdict = rtuwire::frame_verdict::stray;
-            note_response(one, now);
-        }
-        rest = rest.subspan(std::max(size, std::size_t{1}));
-    }
-    if (not has_any) {
+    unawaited_at_ = now;
+    unawaited_.insert(unawaited_.end(), bytes.begin(), bytes.end());
+    auto const end = note_answers_in(unawaited_, now);
+    // What is left of several answers may be the begin of another.
+    std::size_t const most = rtuwire::max_adu_size;
+    auto const over = std::max(end, unawaited_.size() - std::min(unawaited_.size(), most));
+    unawaited_.erase(unawaited_.begin(), unawaited_.begin() + static_cast<std::ptrdiff_t>(over));
+    if (end == 0) {
         note_heard(now);
     }
 }
 
+void owed_answers::note_heard_bytes(rtuwire::traced_frame const& heard, clock::time_point now)
+{
+    if (not whole(heard.bytes).empty()) {
+        return note_response(heard.bytes, heard.verdict, now);
+    }
+    if (note_answers_in(heard.bytes, now) == 0) {
+        note_heard(now);
+    }
+}
+
+/// What came while nobody waited may be several answers in one lump. Where the last of them ends; 0 where there is none.
+std::size_t owed_answers::note_answers_in(byte_view heard, clock::time_point now)
+{
+    std::size_t end = 0;
+    for (byte_view rest = heard; not rest.empty();) {
+        bool const is_unit = units_.count(rest[0]) > 0;
+        std::size_t const size = is_unit ? frame_at_begin(rest, rtuwire::frame_role::response) : 0;
+        if (size > 0) {
+            note_response(rest.first(size), rtuwire::frame_verdict::stray, now);
+        }
+        rest = rest.subspan(std::max(size, std::size_t{1}));
+        end = size > 0 ? heard.size() - rest.size() : end;
+    }
+    return end;
+}
+
 /// In their order: whatever it answers, none is owed that was asked before the first that it may answer.
-void owed_answers::note_response(rtuwire::traced_frame const& frame, clock::time_point now)
+void owed_answers::note_response(byte_view bytes, rtuwire::frame_verdict verdict, clock::time_point now)
 {
     using rtuwire::frame_verdict;
-    byte_view const bytes = frame.bytes;
     auto const unit = units_.find(bytes[0]);
     if (unit == units_.end()) {
         return;
@@ -126,11 +145,11 @@ void owed_answers::note_response(rtuwire::traced_frame const& frame, clock::time
     of.answered.insert(function_of(bytes));
     of.unanswered.erase(function_of(bytes));
     // Of a size that its own bytes contradict it answers the first request of its function, as far as anybody can tell.
-    bool const has_form = frame.verdict != frame_verdict::damaged;
+    bool const has_form = verdict != frame_verdict::damaged;
     auto first = std::ranges::find_if(of.owed, [&](sending const& each) {
         return has_form ? is_answer(each.frame, bytes) : function_of(each.frame) == function_of(bytes);
     });
-    bool const is_awaited = frame.verdict == frame_verdict::good;
+    bool const is_awaited = verdict == frame_verdict::good;
     bool const was_passed_over = std::ranges::any_of(
         of.passed_over, [&](sending const& each) { return has_form and is_answer(each.frame, bytes); });
     if (was_passed_over and not is_awaited) {

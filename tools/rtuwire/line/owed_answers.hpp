@@ -41,8 +41,8 @@ public:
 
     /// A frame has passed.
     void note(rtuwire::traced_frame const& frame);
-    /// Something came, and nobody looked at it.
-    void note_unseen() { note_heard(clock::now()); }
+    /// These bytes came while nobody waited: an answer, a part of one, or several.
+    void note_unawaited(rtuwire::byte_view bytes);
 
     /// Whether what answers this request may be the answer to another one. Never for what writes: its answer repeats what was
     /// written, and a word that stops a motor waits for nothing.
@@ -69,6 +69,7 @@ public:
 
 private:
     static constexpr std::chrono::hours trusted_again{1};
+    static constexpr std::chrono::milliseconds longest_gap{100}; ///< between parts of an answer
 
     struct sending {
         frame_bytes frame;
@@ -90,7 +91,8 @@ private:
 
     void note_heard(clock::time_point now);
     void note_heard_bytes(rtuwire::traced_frame const& heard, clock::time_point now);
-    void note_response(rtuwire::traced_frame const& frame, clock::time_point now);
+    std::size_t note_answers_in(rtuwire::byte_view heard, clock::time_point now);
+    void note_response(rtuwire::byte_view bytes, rtuwire::frame_verdict verdict, clock::time_point now);
     void note_late(unit_record& of, clock::time_point asked, clock::time_point now) const;
     void note_unasked(unit_record& of, rtuwire::byte_view frame, clock::time_point now) const;
     /// How long a unit that answers out of order may owe an answer.
@@ -107,6 +109,8 @@ private:
     unsigned tries_{1};
     bool has_numbers_{false};
     std::uint16_t nonce_{0};
+    frame_bytes unawaited_{}; ///< which may be the begin of an answer
+    clock::time_point unawaited_at_{};
     frame_bytes answered_{}; ///< the request to which the last response was
     std::byte asked_unit_{};
     bool was_asked_{true}; ///< the last question
