@@ -29,13 +29,16 @@ struct device_part {
 
 std::vector<device_part> parts_of(line_plan const& plan);
 
+/// Of one turn.
 struct part_reading {
-    bool has_responded{false};     ///< with a value, or an exception of its own
+    bool is_through{true};         ///< else the rest is read in a later turn
+    bool has_responded{false};     ///< with a value, or an exception of its own, since its reading began
     bool was_repeated{false};      ///< some response was lost or damaged first
     bool has_fallen_silent{false}; ///< what was asked last has no response
     std::string why{};             ///< it has not
     std::string late{};            ///< of one that was repeated: that its responses come too late, and what would help
-    std::vector<slot_value> values{}; ///< as in `device_part::values`, without times
+    /// As in `device_part::values`, without times; nothing of what was not asked for in this turn.
+    std::vector<std::optional<slot_value>> values{};
 };
 
 /// Who is at an address.
@@ -76,7 +79,7 @@ public:
     /// Answers a request of the line's clients, where one waits, whether or not it is open.
     virtual void serve_one() {}
 
-    /// Whether a device is left alone for a moment, because an answer to a client may come from it yet.
+    /// Whether a device is left alone for a moment, because an answer may come from it yet.
     virtual bool is_left_alone(std::size_t /*device*/) const { return false; }
 
     virtual void open() = 0;

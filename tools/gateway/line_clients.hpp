@@ -42,7 +42,9 @@ public:
     void note_asked(std::uint8_t unit) { served_.note_asked(unit); }
     /// What came of that: one that is silent is not asked for clients, too.
     void note_outcome(std::uint8_t unit, bool has_responded) { served_.note_outcome_of_other(unit, has_responded); }
-    /// Whether an answer to a client may come from this unit yet.
+    /// An answer to the gateway may come from this unit until then.
+    void leave_alone(std::uint8_t unit, clock::time_point until) { clients_.leave_alone(unit, until); }
+    /// Whether an answer to a client, or such a one, may come from this unit yet.
     bool is_left_alone(std::uint8_t unit) const { return clients_.is_left_alone(unit, clock::now()); }
 
     [[nodiscard]] client_counts counts() const { return {requests_, counts_.silences()}; }

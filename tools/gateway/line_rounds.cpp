@@ -162,7 +162,7 @@ void line_rounds::ask_parts(clock::time_point now)
         if (each.due > now) {
             next = std::min(next, each.due);
         } else if (may_ask(devices_[each.what.device], now) and not line_.is_left_alone(each.what.device) and
-                   (first == nullptr or each.due < first->due)) {
+                   (first == nullptr or std::max(each.due, each.turn) < std::max(first->due, first->turn))) {
             first = &each;
         }
     }
@@ -176,8 +176,10 @@ void line_rounds::ask_parts(clock::time_point now)
 void line_rounds::ask(part& one)
 {
     std::size_t const which = one.what.device;
-    if (not may_be_another(which) or identify(which)) {
-        read(one, static_cast<std::size_t>(&one - parts_.data()));
+    bool const is_to_be_read = not may_be_another(which) or identify(which);
+    if (is_to_be_read and not read(one, static_cast<std::size_t>(&one - parts_.data()))) {
+        one.turn = line_.now();
+        return;
     }
     schedule(one, devices_[which].is_identified);
 }
@@ -297,7 +299,7 @@ void line_rounds::mark_lost(std::size_t which, std::string const& why)
     put(which);
 }
 
-void line_rounds::read(part& one, std::size_t index)
+bool line_rounds::read(part& one, std::size_t index)
 {
     std::size_t const which = one.what.device;
     device& asked = devices_[which];
@@ -309,12 +311,12 @@ void line_rounds::read(part& one, std::size_t index)
     bool const may_be_gone = one.is_read_in_part and not was_read_in_part;
     bool const may_be_exchanged = found.was_repeated and says_who(which);
     if (found.has_responded and (may_be_gone or may_be_exchanged) and not identify(which)) {
-        return;
+        return true;
     }
     if (not found.has_responded) {
         note_silence(which, found.why, line_.now() - began);
         if (not asked.is_identified) {
-            return; // all of it is marked
+            return true; // all of it is marked
         }
     } else {
         begin_patience(asked);
@@ -333,11 +335,15 @@ void line_rounds::read(part& one, std::size_t index)
     std::uint64_t const time = line_.unix_time();
     for (std::size_t i = 0; i < one.what.values.size(); ++i) {
         slot_value& to = asked.content.values[one.what.values[i]];
-        to = std::move(found.values[i]);
+        if (not found.values[i]) {
+            continue;
+        }
+        to = std::move(*found.values[i]);
         to.time = time;
         to.seq = asked.content.seq;
     }
     put(which);
+    return found.is_through;
 }
 
 void line_rounds::put(std::size_t which)

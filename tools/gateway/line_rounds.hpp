@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The rounds of one line: what is due is read, oldest first; a setting goes before. A device that is silent is asked with
+// The rounds of one line: what is due is read, oldest first; a setting goes before. A reading's turn ends behind a response that did
+// not come at once: the rest is read behind what else is due. A device that is silent is asked with
 // growing pauses, and behind what one of them costs others have nine times as long, 2 s at most. A device is silent where
 // a request and its repetition had no response; where it was lost before within a minute, behind as many rounds more. A
 // device is identified before its values count, and again once it was lost.
@@ -44,6 +45,7 @@ private:
         device_part what;
         clock::duration period;
         clock::time_point due;
+        clock::time_point turn{};    ///< its last, of a reading that is not through: behind others that are due
         bool is_read_in_part{false}; ///< some of it had no response, the last time
     };
     struct device {
@@ -83,7 +85,8 @@ private:
     bool says_who(std::size_t which) const;
     /// False where it is silent, or another.
     bool identify(std::size_t which);
-    void read(part& one, std::size_t index);
+    /// Whether it is through with that.
+    bool read(part& one, std::size_t index);
     void schedule(part& one, bool is_live);
     void begin_patience(device& one) const;
     void note_silence(std::size_t which, std::string const& why, clock::duration cost);

@@ -84,7 +84,7 @@ std::string why_invalid(device_value const& value, reading const& it, std::vecto
 } // namespace
 
 opened_line::opened_line(line_plan const& plan, std::function<void(std::string const&)> tell)
-    : plan_{plan}, tell_{std::move(tell)}
+    : plan_{plan}, tell_{std::move(tell)}, rests_until_(plan.devices.size())
 {
     serve(plan.serve);
     for (device_part& each : parts_of(plan)) {
@@ -169,6 +169,7 @@ void opened_line::open()
 
 void opened_line::close()
 {
+    std::ranges::for_each(parts_, &read_part::begin_anew);
     if (clients_) {
         clients_->end();
     }
@@ -191,7 +192,9 @@ void opened_line::note_outcome(device_plan const& device, bool has_responded)
 
 bool opened_line::is_left_alone(std::size_t device) const
 {
-    return clients_ and clients_->is_left_alone(plan_.devices[device].unit.unit.byte());
+    std::uint8_t const unit = plan_.devices[device].unit.unit.byte();
+    bool const rests = now() < rests_until_[device] and line_ and line_->exchange().owed().owes(std::byte{unit});
+    return rests or (clients_ and clients_->is_left_alone(unit));
 }
 
 std::string opened_line::why_wrong(device_plan const& device)
@@ -242,10 +245,15 @@ device_finding opened_line::identify(std::size_t which, bool is_known_silent)
         throw ended{exit_status::port, line_->port().failure()};
     }
     note_outcome(device, not is_silence(first.why));
+    std::string const why = is_silence(first.why) ? std::string{} : why_wrong(device);
+    for (read_part& each : parts_) {
+        if (each.what.device == which and (is_silence(first.why) or not why.empty())) {
+            each.begin_anew();
+        }
+    }
     if (is_silence(first.why)) {
         return {device_finding::kind::silent, first.failure};
     }
-    std::string const why = why_wrong(device);
     return why.empty() ? device_finding{} : device_finding{device_finding::kind::wrong, why};
 }
 
@@ -266,21 +274,37 @@ part_reading opened_line::read(std::size_t which)
     read_part& part = parts_[which];
     device_plan const& device = plan_.devices[part.what.device];
     note_asked(device);
-    auto const more_sent_than_asked = [&] { return line_->exchange().sent() - counts_.asked; };
-    auto const before = more_sent_than_asked();
-    part.reader.read(*line_, device.unit.unit, true);
-    part_reading found{.was_repeated = more_sent_than_asked() != before, .why = part.reader.first_failure()};
+    part_reading found{.is_through = part.reader.read_on(*line_, device.unit.unit),
+                       .has_responded = part.has_responded,
+                       .was_repeated = part.reader.was_repeated(),
+                       .why = part.reader.first_failure()};
     for (std::size_t const each : part.what.values) {
         device_value const& value = device.values[each];
+        if (not part.reader.is_of_last_turn(value.which.where)) {
+            found.values.emplace_back();
+            continue;
+        }
         errc const why = part.reader.held(value.which.where).why;
         found.has_responded = found.has_responded or not is_no_response(why);
         found.has_fallen_silent = found.has_fallen_silent or is_silence(why);
-        found.values.push_back(value_of(device, value, part.reader));
+        found.values.emplace_back(value_of(device, value, part.reader));
     }
+    part.has_responded = not found.is_through and found.has_responded;
     if (found.was_repeated) {
         constexpr std::string_view joint{"; "};
         std::string const words = line_->exchange().owed().words_of_silence(line_->form());
         found.late = words.substr(std::min(joint.size(), words.size()));
+    }
+    std::uint8_t const unit = device.unit.unit.byte();
+    if (found.was_repeated and line_->exchange().owed().owes(std::byte{unit})) {
+        // Others have their turns while what it was asked twice may come twice.
+        auto const& options = line_->options();
+        clock::time_point const until = now() + std::chrono::microseconds{options.response_timeout.microseconds +
+                                                                          options.late_response.microseconds};
+        rests_until_[part.what.device] = until;
+        if (clients_) {
+            clients_->leave_alone(unit, until);
+        }
     }
     note_outcome(device, found.has_responded and not found.has_fallen_silent);
     return found;

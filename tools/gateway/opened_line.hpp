@@ -48,6 +48,13 @@ private:
     struct read_part {
         device_part what;
         register_reader reader;
+        bool has_responded{false}; ///< in an earlier turn of its reading
+
+        void begin_anew()
+        {
+            reader.begin_anew();
+            has_responded = false;
+        }
     };
 
     void wait(int descriptor, rtuwire::instant until) override;
@@ -64,7 +71,8 @@ private:
     line_plan const& plan_;
     std::function<void(std::string const&)> tell_;
     std::vector<read_part> parts_{};
-    std::optional<line_clients> clients_{}; ///< outlive the line
+    std::vector<clock::time_point> rests_until_; ///< of devices, as long as they owe an answer
+    std::optional<line_clients> clients_{};      ///< outlive the line
     std::optional<open_line> line_{};
     exchange_counts counts_{};
 };

@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|waited|late|overtaken|repeated|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|overtaken|repeated|pulled|replaced|many
 """
 import json
 import os
@@ -154,6 +154,39 @@ def late(check, program, _):
             check(soon(lambda: "its answers come too late, the last after " in gateway.said(), LIMIT), "that is told", gateway.said())
             check("say timeout = " in gateway.said() and "longer periods" not in gateway.said(), "with the key that helps", gateway.said())
             line.delay = 0
+
+
+class OneLate(Units):
+    """Units of which one answers later than the client waits."""
+
+    late, delay = None, 0.55
+
+    def answer(self, request):
+        found = super().answer(request)
+        if found and request[0] == self.late:
+            threading.Timer(self.delay, self.say, [with_crc(found)]).start()
+            return None
+        return found
+
+
+def divided(check, program, _):
+    """A device whose responses come too late is not read at a stretch: another one that is due has its turn in between."""
+    names = ["voltage", "set_point"]  # of two functions
+    with Folder() as folder, Broker(folder) as broker, OneLate({3: meter(), 4: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        devices = [a_meter(registers=names), a_meter("other", 4, registers=["voltage"])]
+        with Gateway(program, folder, text_of(broker.port, [a_line(line.name, *devices, timeout=0.5)])):
+            check(flows(client) and flows(client, "line1/other"), "values come")
+            line.late, since, before = 3, time.time(), len(line.requests)
+            check(soon(lambda: len(line.requests) > before + 60, LIMIT), "it goes on")
+            order = [request[:2] for _, request in line.requests[before:]]
+            order = [each for each, after in zip(order, order[1:]) if each != after]
+            behind = [after[0] for each, after in zip(order, order[1:]) if each[0] == 3]
+            check(behind.count(4) > 3 * behind.count(3), "each of its requests is a turn", order)
+            for name in names:
+                told = [each.values[name].get("value") for each in states(client, since=since) if name in each.values]
+                check(len([each for each in told if each is not None]) > 3, f"{name} comes", told)
+            said = [each.payload for each in client.of(f"{SITE}/line1/meter/availability") if each.arrived >= since]
+            check(not said, "and it is there", said)
 
 
 class Overtaking(Units):
@@ -368,7 +401,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "overtaken": overtaken, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
+    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "overtaken": overtaken, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
     parts[part](check, program, tool, *more)
 
 

@@ -60,6 +60,7 @@ public:
     option_form form() const { return form_; }
     /// For another client on its port.
     exchange_log& exchange() { return exchange_; }
+    exchange_log const& exchange() const { return exchange_; }
     rtuwire::client_options const& options() const { return options_; }
 
     /// A conversation for this line.

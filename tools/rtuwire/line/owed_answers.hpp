@@ -48,6 +48,13 @@ public:
     /// written, and a word that stops a motor waits for nothing.
     [[nodiscard]] bool hides(rtuwire::byte_view question);
 
+    /// Whether an answer of this unit may come yet.
+    [[nodiscard]] bool owes(std::byte unit) const
+    {
+        auto const found = units_.find(unit);
+        return found != units_.end() and not found->second.owed.empty();
+    }
+
     /// A request that only reads, by another function where there is one that the unit may answer; by the same one for
     /// another number of registers.
     [[nodiscard]] frame_bytes mark_for(rtuwire::byte_view question);

@@ -135,6 +135,7 @@ void register_reader::add(run const& one)
 errc register_reader::ask(open_line& line, unit_address unit, block const& which)
 {
     run const all = whole(which);
+    ++asked_;
     words_read const read = words_of(line, unit, all.space, all.start, all.count);
     std::string const failure = read.why == errc::none ? std::string{} : line.words_of_failure(read.why);
     for (run const& each : which) {
@@ -144,6 +145,7 @@ errc register_reader::ask(open_line& line, unit_address unit, block const& which
             one.words.assign(first, first + each.count);
         }
         held_.insert_or_assign(each, std::move(one));
+        last_turn_.insert(each);
     }
     return read.why;
 }
@@ -167,43 +169,61 @@ void register_reader::fail(block const& which, errc why, std::string const& fail
 {
     for (run const& each : which) {
         held_.insert_or_assign(each, held_words{why, {}, failure});
+        last_turn_.insert(each);
     }
+}
+
+/// The first block, or its parts, go to the end.
+errc register_reader::read_next(open_line& line, unit_address unit, bool ends_at_silence)
+{
+    block const next = blocks_.front();
+    blocks_.erase(blocks_.begin());
+    --left_;
+    errc const outcome = read_parts(line, unit, next, blocks_);
+    if (status_of(outcome) == exit_status::port) {
+        begin_anew();
+        throw ended{exit_status::port, line.port().failure()};
+    }
+    auto const failed = std::ranges::find(next, outcome, [this](run const& one) { return held_[one].why; });
+    std::string const failure = failed == next.end() ? tool::words_of(outcome) : held_[*failed].failure;
+    if (first_error_ == errc::none and outcome != errc::none) {
+        first_error_ = outcome;
+        first_failure_ = failure;
+    }
+    if (ends_at_silence and status_of(outcome) == exit_status::no_answer) {
+        std::for_each_n(blocks_.begin(), std::exchange(left_, 0),
+                        [&](block const& each) { fail(each, outcome, failure); });
+    }
+    return outcome;
+}
+
+void register_reader::begin_turn()
+{
+    first_error_ = errc::none;
+    first_failure_.clear();
+    last_turn_.clear();
 }
 
 void register_reader::read(open_line& line, unit_address unit, bool ends_at_silence)
 {
-    first_error_ = errc::none;
-    first_failure_.clear();
-    std::vector<block> learned;
-    held_words silence{.why = errc::none};
-    std::ptrdiff_t ended_at = 0; ///< of `learned`
-    for (block const& each : blocks_) {
-        if (silence.why != errc::none) {
-            fail(each, silence.why, silence.failure);
-            learned.push_back(each);
-            continue;
-        }
-        errc const outcome = read_parts(line, unit, each, learned);
-        if (status_of(outcome) == exit_status::port) {
-            throw ended{exit_status::port, line.port().failure()};
-        }
-        auto const failed = std::ranges::find(each, outcome, [this](run const& one) { return held_[one].why; });
-        std::string const failure = outcome == errc::none  ? std::string{}
-                                    : failed == each.end() ? tool::words_of(outcome)
-                                                           : held_[*failed].failure;
-        if (first_error_ == errc::none) {
-            first_error_ = outcome;
-            first_failure_ = failure;
-        }
-        if (ends_at_silence and status_of(outcome) == exit_status::no_answer) {
-            silence = {outcome, {}, failure};
-            ended_at = static_cast<std::ptrdiff_t>(learned.size()) - 1;
-        }
+    begin_turn();
+    for (left_ = blocks_.size(); left_ > 0;) {
+        read_next(line, unit, ends_at_silence);
     }
-    if (silence.why != errc::none) {
-        std::rotate(learned.begin() + ended_at, learned.begin() + ended_at + 1, learned.end());
+}
+
+bool register_reader::read_on(open_line& line, unit_address unit)
+{
+    begin_turn();
+    left_ = left_ == 0 ? blocks_.size() : left_;
+    auto const sent = line.exchange().sent() - asked_;
+    for (bool ends = false; not ends;) {
+        errc const outcome = read_next(line, unit, true);
+        was_repeated_ = line.exchange().sent() - asked_ != sent;
+        bool const has_come = outcome == errc::none or is_refusal_of_unit(outcome);
+        ends = left_ == 0 or (was_repeated_ and has_come and drive_ == nullptr);
     }
-    blocks_ = std::move(learned);
+    return left_ == 0;
 }
 
 held_words const& register_reader::held(place const& where) const

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,16 @@ public:
     /// that one last in the next round.
     void read(open_line& line, unit_address unit, bool ends_at_silence = false);
 
+    /// The same, which ends at silence, in turns between those of others: from where the last turn ended to the first response that
+    /// did not come at once; of a drive, whose steps are to be of the same round, to the end. Whether the round is through.
+    bool read_on(open_line& line, unit_address unit);
+    /// The next turn begins a round.
+    void begin_anew() { left_ = 0; }
+    /// Whether the last turn asked for it.
+    bool is_of_last_turn(place const& where) const { return last_turn_.contains(run_of(where)); }
+    /// Whether a request of the last turn was sent again, or had to wait for what the unit owes.
+    bool was_repeated() const { return was_repeated_; }
+
     /// What the last round read of a place that was chosen.
     held_words const& held(place const& where) const;
     /// Of a single holding register.
@@ -85,11 +96,17 @@ private:
     unsigned limit_of(register_space space) const;
     rtuwire::errc ask(open_line& line, unit_address unit, block const& which);
     rtuwire::errc read_parts(open_line& line, unit_address unit, block const& which, std::vector<block>& learned);
+    void begin_turn();
+    rtuwire::errc read_next(open_line& line, unit_address unit, bool ends_at_silence);
 
     drive_catalog const* drive_;
     named_places const* names_;
     std::vector<block> blocks_{};
+    std::size_t left_{0}; ///< of the round, which are first
+    unsigned asked_{0};
     std::map<run, held_words> held_{};
+    std::set<run> last_turn_{};
+    bool was_repeated_{false};
     rtuwire::errc first_error_{};
     std::string first_failure_{};
 };

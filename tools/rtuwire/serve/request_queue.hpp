@@ -51,6 +51,8 @@ public:
     /// A request has no answer, or one of two: another may come yet. Until `all` nothing is taken for its unit, and until
     /// `others` nothing but the same again of its function, whose answer that might be taken for.
     void leave_alone(served_request const& unanswered, serve_time all, serve_time others);
+    /// An answer to another's request may come from a unit until then.
+    void leave_alone(std::uint8_t unit, serve_time until);
     /// Whether an answer to some request may come from a unit yet.
     [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time now) const;
     /// Whether one that it owes might be taken for the answer to this request.

@@ -71,6 +71,7 @@ public:
     {
         queue_.leave_alone(unanswered, all, others);
     }
+    void leave_alone(std::uint8_t unit, serve_time until) { queue_.leave_alone(unit, until); }
     [[nodiscard]] bool is_held(served_request const& request, serve_time at) const
     {
         return queue_.is_held(request, at);
