@@ -7,7 +7,9 @@
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/bus.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::detail;
@@ -117,6 +119,31 @@ TEST_CASE("rules 29 and 41: neither a silent unit nor the rest of a slot holds b
     it.pass(milliseconds(10));
     auto all = altivar::broadcast_freewheel<altivar::atv320::device>();
     CHECK(it.asks(0, all));
+}
+
+TEST_CASE(
+    "rule 42: what was told its outcome while another's request is under way says at its next visit that it ended")
+{
+    bus_desk it;
+    single_request ask{unit_id{7}, read_holding_registers{3'201, 1}};
+    auto all = altivar::broadcast_freewheel<altivar::atv320::device>();
+    auto const visit = [&] {
+        it.link.converse(0, ask, it.now);
+        it.link.converse(1, all, it.now);
+    };
+    visit();
+    REQUIRE(it.link.poll_transmit()[0] == std::byte{0}); // the broadcast came before the request that had not left
+    it.link.sent(it.now);
+    it.pass(milliseconds(1));
+    visit();
+    REQUIRE(ask.settled());
+    REQUIRE(ask.outcome().error() == errc::cancelled);
+    it.pass(milliseconds(1));
+    CHECK(it.link.has_turn());
+    visit();
+    CHECK(ask.outcome().error() == errc::used_already);
+    it.pass(milliseconds(1));
+    CHECK_FALSE(it.link.has_turn());
 }
 
 TEST_CASE("rule 31: a silent unit is asked only where that ends before two thirds of an ordered "

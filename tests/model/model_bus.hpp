@@ -85,6 +85,7 @@ public:
         own.is_present = not who.settled();
         bool const wants = own.is_present and not is_urgent_ and not is_held_back(index, now);
         if (auto const told = inner.deliver(who, wants, now)) {
+            has_left_ = false;
             own.not_before = now + own.options.least_idle;
             own.is_resting = own.options.least_idle > 0;
             note(own, *told, now);

@@ -447,6 +447,7 @@ private:
 
     constexpr void note_health(slot& own, errc error, instant now) noexcept
     {
+        stage_ = stage::changing; // what it ended says so at its next visit
         own.not_before = now + own.options.least_idle;
         own.is_resting = own.options.least_idle.microseconds != 0;
         if (client_.asked_unit() == 0) {
