@@ -47,6 +47,7 @@ public:
         note_reference(asked, is_reverse);
         bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
         orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, is_alone, false, now};
+        kept_halt_at_ = is_by_cycle ? 0 : kept_halt_at_;
         ordered_at_ = now;
     }
     /// The motor turns no slower than LSP.
@@ -63,13 +64,14 @@ public:
             note_reference(asked, is_reverse);
         }
     }
-    void note_stop(std::size_t place, moment now, bool is_halt)
+    void note_stop(std::size_t place, moment now, bool is_halt, bool is_by_cycle = false)
     {
         if (stops_to_begin_ == 0) {
             before_ = standing();
         }
         stops_to_begin_ |= 1U << place;
         take_orders(now, is_halt ? now : 0);
+        kept_halt_at_ = is_by_cycle ? halted_at_ : 0;
     }
     /// The client has all that the user has made.
     void note_visit()
@@ -296,7 +298,7 @@ public:
             bool const is_too_late = is_direct and disturbed_at_ >= last_look;
             moment const asked = std::max(latest_order(), ordered_at_);
             was_asked_ = has_order() and (asked >= disturbed_at_ or is_too_late);
-            halted_at_ = is_enabling ? 0 : halted_at_;
+            halted_at_ = is_enabling ? 0 : halts_again(word) ? kept_halt_at_ : halted_at_;
             runs_for_another_ = runs_for_another_ and not is_enabling;
             is_fed_by_another_ = is_fed_by_another_ and not is_enabling;
             is_enabling ? note_enabled() : void();
@@ -481,13 +483,15 @@ private:
         is_orphan_ = false;
         left_ = {};
         halted_at_ = halted_at;
+        kept_halt_at_ = 0;
         stopped_at_ = now;
         is_fed_by_another_ = false;
     }
     /// What a stop changes, but the orders.
-    std::tuple<moment&, moment&, moment&, moment&, left_motor&, bool&, bool&> standing()
+    std::tuple<moment&, moment&, moment&, moment&, moment&, left_motor&, bool&, bool&> standing()
     {
-        return std::tie(ordered_at_, taken_at_, stopped_at_, halted_at_, left_, is_orphan_, is_fed_by_another_);
+        return std::tie(ordered_at_, taken_at_, stopped_at_, halted_at_, kept_halt_at_, left_, is_orphan_,
+                        is_fed_by_another_);
     }
 
     /// A stop begins when the client has it (engine rules 36, 37): one that is given up before that has stopped nothing, and
@@ -511,6 +515,12 @@ private:
         for (order& each : orders_) {
             each.has_enabled = each.is_there;
         }
+    }
+
+    /// A cycle that was asked to halt, and to run no more since, keeps to that behind a start that it has overruled.
+    bool halts_again(std::optional<std::uint16_t> word) const
+    {
+        return kept_halt_at_ != 0 and word and keeps_power(*word, drive_.profile()) and not has_order();
     }
 
     bool has_order() const
@@ -738,11 +748,12 @@ private:
     order detached_{}; ///< of conversations that were given up
     left_motor left_{};
     unsigned stops_to_begin_{0}; ///< a bit for each place with one that the client has not had
-    std::tuple<moment, moment, moment, moment, left_motor, bool, bool> before_{}; ///< before these
+    std::tuple<moment, moment, moment, moment, moment, left_motor, bool, bool> before_{}; ///< before these
     moment taken_at_{0};
     moment stopped_at_{0};
-    moment halted_at_{0};  ///< asked to halt by the latest stop; 0: not, or enabled since
-    moment ordered_at_{0}; ///< whatever became of it, since the last stop
+    moment halted_at_{0};    ///< asked to halt by the latest stop; 0: not, or enabled since
+    moment kept_halt_at_{0}; ///< the same of a cycle, enabled by others since or not
+    moment ordered_at_{0};   ///< whatever became of it, since the last stop
     moment disturbed_at_{0};
     moment lost_at_{0}; ///< when it was sent what makes the loss sure, where nothing is answered
     moment asked_at_{0};

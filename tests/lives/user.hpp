@@ -327,7 +327,7 @@ protected:
         bool const is_halt = how == a::stop_by::halt and Device::layout.halt != 0;
         said_.say("stop of the cycle in place %zu, way %d", place, static_cast<int>(how));
         loop.stop(how);
-        law_of(slots_[place].unit).note_stop(place, now_, is_halt);
+        law_of(slots_[place].unit).note_stop(place, now_, is_halt, true);
     }
 
     void change(std::size_t place, std::size_t unit)
