@@ -404,14 +404,17 @@ public:
     }
 
     /// What this drive was told last by who ordered it alone, in 0.1 Hz.
-    std::optional<breach> told_reference(std::size_t place, int asked) const
+    std::optional<breach> told_reference(std::size_t place, int asked, moment now) const
     {
         if (holds_reference_of_another()) {
             return breach::ran_otherwise;
         }
-        // What befell it behind its last look nobody can know.
+        // What befell it behind its last look nobody can know, nor what it did by itself while its response was on the way.
+        bool const gave_up =
+            set_.is_supervised() and drive_.reference() == 0 and now >= last_heard_ + set_.time_out_us();
         bool const is_known = number_of_orders() == 1 and orders_[place].is_alone and not is_foreign_ and asked != 0 and
-                              (disturbed_at_ == 0 or disturbed_at_ < looked_at_[0]) and unpowered_at_ <= looked_at_[0];
+                              (disturbed_at_ == 0 or disturbed_at_ < looked_at_[0]) and
+                              unpowered_at_ <= looked_at_[0] and not gave_up;
         return is_known and drive_.reference() != asked ? std::optional{breach::ran_otherwise} : std::nullopt;
     }
     /// A stop has ended: one that was carried out has sent something. `has_none`: another stop is under way, or it has no

@@ -405,7 +405,7 @@ private:
             accuse(law.told_to_run(own.began), own.unit);
             accuse(own.asked.half_hertz > highest_half_hertz ? std::optional{breach::beyond_limits} : std::nullopt,
                    own.unit);
-            accuse(law.told_reference(place, own.asked.signed_half_hertz() * 5), own.unit);
+            accuse(law.told_reference(place, own.asked.signed_half_hertz() * 5, now_), own.unit);
         } else if constexpr (std::is_same_v<Conversation, a::stop>) {
             auto const how = what.reason().kind;
             bool const has_none = how == a::outcome_kind::overruled or how == a::outcome_kind::aborted or
