@@ -23,6 +23,7 @@ WRONG = [
     (["help"], ["'help' is no command", "`--help`"]),
     (["backup", "fan.json"], ["--output", "backup -o fan.json`"]),
     (["read", "RFR", "sim:atv320:7"], ["which line?", "did you mean -p sim:atv320:7?"]),
+    (["serve", "/dev/ttyUSB0"], ["'serve' takes no word '/dev/ttyUSB0'", "did you mean -p /dev/ttyUSB0?"]),
     (["list", "--device", "sdm630"], ["'list' does not", "`device check sdm630`"]),
     (["decode", "line.pcapng"], ["`decode -p line.pcapng`"]),
     (["--port", CABINET, "sniff"], ["nobody else talks on a simulated line", "--trace"]),

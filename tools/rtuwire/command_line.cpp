@@ -241,6 +241,12 @@ std::vector<std::string> options_of(CLI::App const& app)
     return names;
 }
 
+bool looks_like_port(std::string const& word)
+{
+    return word.starts_with("sim:") or word.starts_with("tcp://") or word.starts_with("mbap://") or
+           word.starts_with("/dev/") or is_port_name(word);
+}
+
 /// What is wrong with the first word that nothing took; empty where none was left.
 std::string wrong_word(CLI::App const& app)
 {
@@ -258,6 +264,10 @@ std::string wrong_word(CLI::App const& app)
         if (is_option) {
             return "'" + word + "' is no option" +
                    suggestion(word, std::vector<std::string_view>{options.begin(), options.end()});
+        }
+        if (has_command and looks_like_port(word)) {
+            return "'" + app.get_subcommands().front()->get_name() + "' takes no word '" + word +
+                   "'; did you mean -p " + word + "?";
         }
         if (not has_command) {
             return "'" + word + "' is no command" +
@@ -397,9 +407,7 @@ parsed parse(int argc, char** argv)
         chosen.allowed.knows_run = false;
     }
     for (std::string const& each : chosen.words) {
-        bool const is_port = each.starts_with("sim:") or each.starts_with("tcp://") or each.starts_with("mbap://") or
-                             each.starts_with("/dev/") or is_port_name(each);
-        chosen.line.typed.stray_port = is_port ? each : chosen.line.typed.stray_port;
+        chosen.line.typed.stray_port = looks_like_port(each) ? each : chosen.line.typed.stray_port;
     }
     if (chosen.command == "completion" or chosen.command == "man") {
         return {std::nullopt, print_own_text(app, chosen)};
