@@ -47,6 +47,39 @@ TEST_CASE("each value is read in its own period, with the time and the number of
     CHECK(on.board.device(0)->values[energy].seq == now->values[energy].seq);
 }
 
+TEST_CASE("a value is no older than its time, however long its reading and what follows it take")
+{
+    rounds_on_line on{2};
+    on.line.response = 300ms;
+    on.line.units[0].loses_one = true; // so that it says who it is, behind its values
+    auto const names = std::make_shared<tool::named_places>();
+    names->vendor = "Maker";
+    on.plan.devices[0].names = names;
+    on.run_for(5s);
+    for (std::size_t const each : {0U, 1U}) {
+        std::uint64_t const time = on.board.device(each)->values[power].time;
+        CHECK(time <= on.line.units[each].read_at);
+        CHECK(seconds_after(on.line.units[each].read_at, time) < 2);
+        CHECK(on.board.device(each)->time == time);
+    }
+}
+
+TEST_CASE("a device that may owe an answer is not read, also right behind its identification, and its turn is kept")
+{
+    rounds_on_line on{2};
+    on.line.units[1].owes = true;
+    on.run_for(3s);
+    CHECK(on.line.units[1].identified == 1);
+    CHECK(on.line.units[1].reads == 0);
+    CHECK(on.line.units[1].kept > 0);
+    CHECK(on.line.units[0].reads > 2);
+    CHECK(on.line.units[0].kept == 0);
+    on.line.units[1].owes = false;
+    on.run_for(1s);
+    CHECK(on.line.units[1].reads > 0);
+    CHECK(on.board.device(1)->is_available);
+}
+
 TEST_CASE("a value that is none is marked, and none stands there")
 {
     rounds_on_line on{1};

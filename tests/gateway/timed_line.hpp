@@ -38,6 +38,9 @@ public:
         unsigned reads{0};
         unsigned identified{0};
         unsigned written{0};
+        bool owes{false};         ///< an answer that may come yet, from when it is identified on
+        unsigned kept{0};         ///< so often its turn was
+        std::uint64_t read_at{0}; ///< microseconds since 1970, when its latest values were asked for
     };
 
     explicit timed_line(line_plan const& plan) : units(plan.devices.size()), parts_{parts_of(plan)} {}
@@ -65,6 +68,12 @@ public:
     }
     void close() override { is_open_ = false; }
 
+    bool is_left_alone(std::size_t device) const override
+    {
+        return units[device].owes and units[device].identified > 0;
+    }
+    void keep_turn(std::size_t device) override { ++units[device].kept; }
+
     device_finding identify(std::size_t device, bool is_known_silent) override
     {
         unit& asked = units[device];
@@ -79,6 +88,7 @@ public:
     {
         unit& asked = units[parts_[part].device];
         ++asked.reads;
+        asked.read_at = unix_time();
         part_reading found{.has_responded = request(asked, tries), .was_repeated = asked.loses_one};
         if (found.has_responded and std::exchange(asked.falls_silent, false)) {
             asked.is_there = false;

@@ -143,3 +143,22 @@ TEST_CASE("owed: what comes while nobody waits is an answer, whole, in parts or 
     on.owed.note_unawaited(frame_bytes{std::byte{1}, std::byte{3}, std::byte{0}});
     CHECK(on.owed.hides(fast));
 }
+
+TEST_CASE("owed: the answer by another function shows nothing of an answer that may come yet")
+{
+    line on;
+    on.asks(slow);
+    on.asks(mark);
+    on.hears(mark_answer, frame_verdict::good);
+    CHECK_FALSE(on.owed.hides(fast)); // as far as a unit in order goes
+    auto const may_come = on.owed.functions_owed(std::byte{1});
+    REQUIRE(may_come.contains(std::byte{3}));
+    CHECK(may_come.at(std::byte{3}) > owed_answers::clock::now() + std::chrono::seconds{1});
+    CHECK_FALSE(may_come.contains(std::byte{4}));
+    CHECK(on.owed.functions_owed(std::byte{2}).empty());
+    SECTION("until it comes")
+    {
+        on.hears(slow_answer, frame_verdict::stray);
+        CHECK_FALSE(on.owed.functions_owed(std::byte{1}).contains(std::byte{3}));
+    }
+}

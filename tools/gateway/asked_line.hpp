@@ -81,6 +81,8 @@ public:
 
     /// Whether a device is left alone for a moment, because an answer may come from it yet.
     virtual bool is_left_alone(std::size_t /*device*/) const { return false; }
+    /// What is due of it waits for that, and goes before what clients ask of it.
+    virtual void keep_turn(std::size_t /*device*/) {}
 
     virtual void open() = 0;
     virtual void close() = 0;

@@ -25,7 +25,7 @@ enum class value_state : std::uint8_t {
 struct slot_value {
     value_state state{value_state::not_read};
     cell value{};          ///< nothing where it is not valid
-    std::uint64_t time{0}; ///< microseconds since 1970, of its round; 0: of none
+    std::uint64_t time{0}; ///< microseconds since 1970, when its round began; 0: of none
     std::uint64_t seq{0};  ///< of its round
     std::string why{};     ///< it has no value, for people; empty of a valid one
 };

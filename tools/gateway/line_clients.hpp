@@ -23,6 +23,8 @@ public:
 
     /// Between two tries to listen.
     static constexpr std::chrono::seconds listening_pause{2};
+    /// For the longest that an own reading waits for.
+    static constexpr std::chrono::seconds kept{2};
 
     /// Of a plan that serves. `tell` takes what there is to know, a sentence each. In the thread of the line.
     line_clients(choices const& chosen, std::function<void(std::string const&)> tell);
@@ -39,11 +41,20 @@ public:
     /// It is away, and who asks is told so.
     void end() { served_.end(); }
     /// The gateway asks a unit: clients' requests for one that is silent do not hold that up.
-    void note_asked(std::uint8_t unit) { served_.note_asked(unit); }
+    void note_asked(std::uint8_t unit)
+    {
+        clients_.note_kept_done(unit);
+        served_.note_asked(unit);
+    }
+    /// The gateway's own reading of a unit is due, and waits for what that may owe to a client.
+    void keep_turn(std::uint8_t unit) { clients_.keep(unit, clock::now() + kept); }
     /// What came of that: one that is silent is not asked for clients, too.
     void note_outcome(std::uint8_t unit, bool has_responded) { served_.note_outcome_of_other(unit, has_responded); }
-    /// An answer to the gateway may come from this unit until then.
-    void leave_alone(std::uint8_t unit, clock::time_point until) { clients_.leave_alone(unit, until); }
+    /// An answer by this function may come to the gateway from this unit until then.
+    void leave_alone(std::uint8_t unit, std::byte function, clock::time_point until)
+    {
+        clients_.leave_alone({.unit = unit, .pdu = {function}}, clock::now(), until);
+    }
     /// Whether an answer to a client, or such a one, may come from this unit yet.
     bool is_left_alone(std::uint8_t unit) const { return clients_.is_left_alone(unit, clock::now()); }
 

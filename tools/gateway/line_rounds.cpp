@@ -161,8 +161,11 @@ void line_rounds::ask_parts(clock::time_point now)
     for (part& each : parts_) {
         if (each.due > now) {
             next = std::min(next, each.due);
-        } else if (may_ask(devices_[each.what.device], now) and not line_.is_left_alone(each.what.device) and
-                   (first == nullptr or std::max(each.due, each.turn) < std::max(first->due, first->turn))) {
+        } else if (not may_ask(devices_[each.what.device], now)) {
+            continue;
+        } else if (line_.is_left_alone(each.what.device)) {
+            line_.keep_turn(each.what.device);
+        } else if (first == nullptr or std::max(each.due, each.turn) < std::max(first->due, first->turn)) {
             first = &each;
         }
     }
@@ -177,6 +180,9 @@ void line_rounds::ask(part& one)
 {
     std::size_t const which = one.what.device;
     bool const is_to_be_read = not may_be_another(which) or identify(which);
+    if (is_to_be_read and line_.is_left_alone(which)) { // since it was identified
+        return;
+    }
     if (is_to_be_read and not read(one, static_cast<std::size_t>(&one - parts_.data()))) {
         one.turn = line_.now();
         return;
@@ -304,6 +310,7 @@ bool line_rounds::read(part& one, std::size_t index)
     std::size_t const which = one.what.device;
     device& asked = devices_[which];
     clock::time_point const began = line_.now();
+    std::uint64_t const time = line_.unix_time(); // none of its values is older
     part_reading found = line_.read(index);
     silent_at_ = found.was_repeated ? line_.now() : silent_at_;
     bool const was_read_in_part = std::exchange(one.is_read_in_part, found.has_responded and found.has_fallen_silent);
@@ -332,7 +339,6 @@ bool line_rounds::read(part& one, std::size_t index)
         asked.content.why.clear();
     }
     ++asked.content.seq;
-    std::uint64_t const time = line_.unix_time();
     for (std::size_t i = 0; i < one.what.values.size(); ++i) {
         slot_value& to = asked.content.values[one.what.values[i]];
         if (not found.values[i]) {
@@ -342,13 +348,15 @@ bool line_rounds::read(part& one, std::size_t index)
         to.time = time;
         to.seq = asked.content.seq;
     }
-    put(which);
+    put(which, time);
     return found.is_through;
 }
 
-void line_rounds::put(std::size_t which)
+void line_rounds::put(std::size_t which) { put(which, line_.unix_time()); }
+
+void line_rounds::put(std::size_t which, std::uint64_t time)
 {
-    devices_[which].content.time = line_.unix_time();
+    devices_[which].content.time = time;
     board_.put(which, devices_[which].content);
 }
 

@@ -97,6 +97,7 @@ private:
     std::string claim(setting_request const& request);
     void answer(setting_request const& request, setting_result result, std::string why);
     void put(std::size_t which);
+    void put(std::size_t which, std::uint64_t time);
     void tell(event_kind what, std::string const& who, std::string const& text);
     void show_state();
 

@@ -81,10 +81,13 @@ std::string why_invalid(device_value const& value, reading const& it, std::vecto
     return is_outside ? it.text + " is outside its limits" : std::string{};
 }
 
+/// By which values are read, and so what may be taken for another's.
+bool reads_registers(std::byte function) { return function <= std::byte{4}; }
+
 } // namespace
 
 opened_line::opened_line(line_plan const& plan, std::function<void(std::string const&)> tell)
-    : plan_{plan}, tell_{std::move(tell)}, rests_until_(plan.devices.size())
+    : plan_{plan}, tell_{std::move(tell)}
 {
     serve(plan.serve);
     for (device_part& each : parts_of(plan)) {
@@ -190,11 +193,33 @@ void opened_line::note_outcome(device_plan const& device, bool has_responded)
     }
 }
 
+void opened_line::hold_clients(device_plan const& device)
+{
+    std::uint8_t const unit = device.unit.unit.byte();
+    if (clients_) {
+        for (auto const& [function, until] : line_->exchange().owed().functions_owed(std::byte{unit})) {
+            clients_->leave_alone(unit, function, until);
+        }
+    }
+}
+
 bool opened_line::is_left_alone(std::size_t device) const
 {
     std::uint8_t const unit = plan_.devices[device].unit.unit.byte();
-    bool const rests = now() < rests_until_[device] and line_ and line_->exchange().owed().owes(std::byte{unit});
-    return rests or (clients_ and clients_->is_left_alone(unit));
+    if (not line_) {
+        return false;
+    }
+    auto const owed = line_->exchange().owed().functions_owed(std::byte{unit});
+    return std::ranges::any_of(
+               owed, [this](auto const& each) { return reads_registers(each.first) and now() < each.second; }) or
+           (clients_ and clients_->is_left_alone(unit));
+}
+
+void opened_line::keep_turn(std::size_t device)
+{
+    if (clients_) {
+        clients_->keep_turn(plan_.devices[device].unit.unit.byte());
+    }
 }
 
 std::string opened_line::why_wrong(device_plan const& device)
@@ -251,6 +276,7 @@ device_finding opened_line::identify(std::size_t which, bool is_known_silent)
             each.begin_anew();
         }
     }
+    hold_clients(device);
     if (is_silence(first.why)) {
         return {device_finding::kind::silent, first.failure};
     }
@@ -295,17 +321,7 @@ part_reading opened_line::read(std::size_t which)
         std::string const words = line_->exchange().owed().words_of_silence(line_->form());
         found.late = words.substr(std::min(joint.size(), words.size()));
     }
-    std::uint8_t const unit = device.unit.unit.byte();
-    if (found.was_repeated and line_->exchange().owed().owes(std::byte{unit})) {
-        // Others have their turns while what it was asked twice may come twice.
-        auto const& options = line_->options();
-        clock::time_point const until = now() + std::chrono::microseconds{options.response_timeout.microseconds +
-                                                                          options.late_response.microseconds};
-        rests_until_[part.what.device] = until;
-        if (clients_) {
-            clients_->leave_alone(unit, until);
-        }
-    }
+    hold_clients(device);
     note_outcome(device, found.has_responded and not found.has_fallen_silent);
     return found;
 }

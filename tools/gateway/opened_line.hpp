@@ -33,6 +33,7 @@ public:
     void wait(clock::time_point until) override;
     void serve_one() override;
     bool is_left_alone(std::size_t device) const override;
+    void keep_turn(std::size_t device) override;
     void open() override;
     void close() override;
     device_finding identify(std::size_t device, bool is_known_silent) override;
@@ -61,6 +62,8 @@ private:
     bool is_over() const override { return false; }
     bool wait_for_bytes(int descriptor, std::chrono::microseconds time);
     void note_asked(device_plan const& device);
+    /// While what a device owes may come, clients ask it nothing of which that could be taken for the answer.
+    void hold_clients(device_plan const& device);
     void note_outcome(device_plan const& device, bool has_responded);
     /// Why what answers there is not what the file says; empty where it is.
     std::string why_wrong(device_plan const& device);
@@ -71,8 +74,7 @@ private:
     line_plan const& plan_;
     std::function<void(std::string const&)> tell_;
     std::vector<read_part> parts_{};
-    std::vector<clock::time_point> rests_until_; ///< of devices, as long as they owe an answer
-    std::optional<line_clients> clients_{};      ///< outlive the line
+    std::optional<line_clients> clients_{}; ///< outlive the line
     std::optional<open_line> line_{};
     exchange_counts counts_{};
 };

@@ -146,10 +146,15 @@ void owed_answers::note_response(byte_view bytes, rtuwire::frame_verdict verdict
     of.unanswered.erase(function_of(bytes));
     // Of a size that its own bytes contradict it answers the first request of its function, as far as anybody can tell.
     bool const has_form = verdict != frame_verdict::damaged;
-    auto first = std::ranges::find_if(of.owed, [&](sending const& each) {
+    auto const may_be_of = [&](sending const& each) {
         return has_form ? is_answer(each.frame, bytes) : function_of(each.frame) == function_of(bytes);
-    });
+    };
     bool const is_awaited = verdict == frame_verdict::good;
+    // One that is awaited, and may be of several: not of one so old that its answer will not come any more.
+    clock::time_point const oldest = now - may_come_for(of);
+    auto first = std::ranges::find_if(
+        of.owed, [&](sending const& each) { return may_be_of(each) and (not is_awaited or each.at > oldest); });
+    first = first == of.owed.end() ? std::ranges::find_if(of.owed, may_be_of) : first;
     bool const was_passed_over = std::ranges::any_of(
         of.passed_over, [&](sending const& each) { return has_form and is_answer(each.frame, bytes); });
     if (was_passed_over and not is_awaited) {
@@ -209,6 +214,13 @@ owed_answers::clock::duration owed_answers::longest_of(unit_record const& of) co
     return std::min(longest_, std::max<clock::duration>(2 * of.latest_of_all, timeout_ + longest_lateness));
 }
 
+owed_answers::clock::duration owed_answers::may_come_for(unit_record const& of) const
+{
+    constexpr std::chrono::milliseconds more{500};
+    auto const latest = std::chrono::duration_cast<clock::duration>(of.latest);
+    return std::min(longest_, std::max<clock::duration>(timeout_ + longest_lateness, latest + more));
+}
+
 void owed_answers::note_heard(clock::time_point now)
 {
     for (auto& [unit, of] : units_) {
@@ -241,6 +253,24 @@ bool owed_answers::hides(byte_view question)
     return now < unit->second.rests_until or std::ranges::any_of(unit->second.owed, [&](sending const& each) {
                return function_of(each.frame) == function_of(question);
            });
+}
+
+std::map<std::byte, owed_answers::clock::time_point> owed_answers::functions_owed(std::byte unit) const
+{
+    std::map<std::byte, clock::time_point> functions;
+    auto const found = units_.find(unit);
+    if (found == units_.end()) {
+        return functions;
+    }
+    unit_record const& of = found->second;
+    clock::duration const most = may_come_for(of);
+    for (auto const* const each : {&of.owed, &of.passed_over}) {
+        for (sending const& one : *each) {
+            clock::time_point& until = functions[function_of(one.frame)];
+            until = std::max(until, one.at + most);
+        }
+    }
+    return functions;
 }
 
 bool owed_answers::owes_registers(unit_record const& of, std::byte function, unsigned count)

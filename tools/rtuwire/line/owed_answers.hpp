@@ -48,12 +48,9 @@ public:
     /// written, and a word that stops a motor waits for nothing.
     [[nodiscard]] bool hides(rtuwire::byte_view question);
 
-    /// Whether an answer of this unit may come yet.
-    [[nodiscard]] bool owes(std::byte unit) const
-    {
-        auto const found = units_.find(unit);
-        return found != units_.end() and not found->second.owed.empty();
-    }
+    /// The functions by which an answer of this unit may come yet, and until when, whatever it answered by others since: not all
+    /// units are in order. That is until 1.5 s behind the time-out, or 0.5 s later than its latest.
+    [[nodiscard]] std::map<std::byte, clock::time_point> functions_owed(std::byte unit) const;
 
     /// A request that only reads, by another function where there is one that the unit may answer; by the same one for
     /// another number of registers.
@@ -102,6 +99,8 @@ private:
     void note_response(rtuwire::byte_view bytes, rtuwire::frame_verdict verdict, clock::time_point now);
     void note_late(unit_record& of, clock::time_point asked, clock::time_point now) const;
     void note_unasked(unit_record& of, rtuwire::byte_view frame, clock::time_point now) const;
+    /// How long behind its request an answer is waited for, where something else is to be asked.
+    clock::duration may_come_for(unit_record const& of) const;
     /// How long a unit that answers out of order may owe an answer.
     clock::duration longest_of(unit_record const& of) const;
     void forget_old(unit_record& of, clock::time_point now) const;

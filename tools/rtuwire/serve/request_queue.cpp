@@ -80,8 +80,10 @@ serve_time request_queue::free_from(served_request const& request) const
     // The same again, with the next turn of its client, is answered by either; who asks it anew waits as the others do, or
     // these would wait for ever.
     bool const is_other = owed != owed_.end() and (request.sent == 0 or owed->second.pdu != request.pdu);
-    return std::max(alone == alone_until_.end() ? serve_time{} : alone->second,
-                    is_other ? owed->second.until : serve_time{});
+    auto const kept = kept_until_.find(request.unit);
+    return std::max({alone == alone_until_.end() ? serve_time{} : alone->second,
+                     is_other ? owed->second.until : serve_time{},
+                     kept == kept_until_.end() ? serve_time{} : kept->second});
 }
 
 serve_time request_queue::turn_of(served_request const& request) const

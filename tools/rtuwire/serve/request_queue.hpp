@@ -53,6 +53,9 @@ public:
     void leave_alone(served_request const& unanswered, serve_time all, serve_time others);
     /// An answer to another's request may come from a unit until then.
     void leave_alone(std::uint8_t unit, serve_time until);
+    /// Another's reading of a unit waits for that, and comes first: until then, or until it was done, none is taken for it.
+    void keep(std::uint8_t unit, serve_time until) { kept_until_[unit] = until; }
+    void note_kept_done(std::uint8_t unit) { kept_until_.erase(unit); }
     /// Whether an answer to some request may come from a unit yet.
     [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time now) const;
     /// Whether one that it owes might be taken for the answer to this request.
@@ -84,6 +87,7 @@ private:
     serve_time turn_of(served_request const& request) const;
 
     std::map<std::uint8_t, serve_time> alone_until_{};
+    std::map<std::uint8_t, serve_time> kept_until_{};
     std::map<std::pair<std::uint8_t, std::byte>, owed_answer> owed_{}; ///< of a unit, by function
     std::function<bool(std::uint8_t)> is_refused_at_once_{};
     std::map<std::uint64_t, std::deque<served_request>> waiting_{}; ///< none of them empty
