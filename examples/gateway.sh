@@ -50,7 +50,14 @@ broker='' devices='' gateway='' shown=''
 clean_up() {
     trap '' INT TERM HUP # a second Ctrl-C would leave the rest
     for process in $shown $gateway $devices $broker; do
-        while kill "$process" 2>/dev/null; do sleep 0.1; done # the first is lost on what is not yet the program
+        tries=0
+        while kill -0 "$process" 2>/dev/null; do
+            # Again each second: the first is lost on what is not yet the program. mosquitto_sub without its broker heeds none.
+            [ $((tries % 10)) -ne 0 ] || kill "$process" 2>/dev/null || :
+            [ $tries -lt 100 ] || kill -KILL "$process" 2>/dev/null || :
+            tries=$((tries + 1))
+            sleep 0.1
+        done
     done
     wait
     rm -rf "$place"
