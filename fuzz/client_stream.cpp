@@ -97,7 +97,13 @@ public:
         return has_response ? now + ((now - first_) + late_) * (sendings_ - 1) : last_ + each_ * sendings_;
     }
 
+    /// The same behind bytes that came at `now` while it was held: one of them may be a late answer, and others may come as late
+    /// as all together may be (rule 19).
+    instant end_behind_late(instant now) const { return now + (each_ + line.characters(max_adu_size)) * most_ + late_; }
+
 private:
+    static constexpr unsigned most_ = 1 + retries + busy_retries;
+
     duration late_;
     duration each_{};
     unsigned sendings_{0};
@@ -136,6 +142,10 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         }
         fuzz::frame const heard{in.some(what & 0x1FU), (what & 0x80U) != 0};
         link.receive(heard.view(), now);
+        if (under_way.is_held(unit) and not heard.view().empty()) {
+            instant const later = owed.end_behind_late(now);
+            held_until = reached(later, held_until) ? later : held_until;
+        }
         bool is_same = under_way.is_busy();
         link.advance(now);
         if (auto const outcome = link.poll_outcome()) {
