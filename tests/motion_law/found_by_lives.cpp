@@ -76,6 +76,16 @@ template <typename Device, typename Link = drive_client<2>> struct hall : test::
         default: return false;
         }
     }
+    /// A cycle is asked to run its motor, and does.
+    template <typename Loop> void run_up(Loop& loop)
+    {
+        auto const cycle = [&](instant at) { this->link().converse(loop, at); };
+        pass(cycle, milliseconds(500));
+        REQUIRE(loop.run(1'200_rpm));
+        pass(cycle, milliseconds(4'000));
+        REQUIRE(has_power());
+    }
+
     state drive_state() { return this->drive(0).state_machine().state(); }
     bool has_power() { return cia402::has_power(drive_state()); }
 };
@@ -407,10 +417,7 @@ TEST_CASE("motion law: L3 a halt of a cycle looks first, also behind a stop word
     hall<device> it;
     cyclic<device> loop{it.motor, {.period = milliseconds(50)}};
     auto const cycle = [&](instant at) { it.link().converse(loop, at); };
-    it.pass(cycle, milliseconds(500));
-    REQUIRE(loop.run(1'200_rpm));
-    it.pass(cycle, milliseconds(4'000));
-    REQUIRE(it.has_power());
+    it.run_up(loop);
     loop.stop();
     REQUIRE(it.pass_until_told(cycle, 0x0007, milliseconds(500)));
     it.cut(0, true); // the motor comes to rest; the cycle's words get lost meanwhile
@@ -662,10 +669,7 @@ TEST_CASE("motion law: L3 a halt of a cycle whose words get lost, and whose read
     hall<device> it;
     cyclic<device> loop{it.motor, {.period = milliseconds(50)}};
     auto const cycle = [&](instant at) { it.link().converse(loop, at); };
-    it.pass(cycle, milliseconds(500));
-    REQUIRE(loop.run(1'200_rpm));
-    it.pass(cycle, milliseconds(4'000));
-    REQUIRE(it.has_power());
+    it.run_up(loop);
     unsigned halts = 0;
     it.disturb([&](auto& frame, bool is_request) {
         if (is_request and it.is_told(0x010F)) {

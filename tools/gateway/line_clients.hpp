@@ -23,7 +23,7 @@ public:
 
     /// Between two tries to listen.
     static constexpr std::chrono::seconds listening_pause{2};
-    /// For the longest that an own reading waits for.
+    /// For so long an own reading's turn is kept, where it is not taken.
     static constexpr std::chrono::seconds kept{2};
 
     /// Of a plan that serves. `tell` takes what there is to know, a sentence each. In the thread of the line.

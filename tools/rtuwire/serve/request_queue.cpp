@@ -54,15 +54,10 @@ void request_queue::put_back(served_request request)
 
 void request_queue::leave_alone(served_request const& unanswered, serve_time all, serve_time others)
 {
-    leave_alone(unanswered.unit, all);
+    serve_time& alone = alone_until_[unanswered.unit];
+    alone = std::max(alone, all);
     owed_answer& owed = owed_[{unanswered.unit, unanswered.pdu.front()}];
     owed = {unanswered.pdu, std::max(owed.until, others)};
-}
-
-void request_queue::leave_alone(std::uint8_t unit, serve_time until)
-{
-    serve_time& alone = alone_until_[unit];
-    alone = std::max(alone, until);
 }
 
 bool request_queue::is_left_alone(std::uint8_t unit, serve_time now) const

@@ -51,8 +51,6 @@ public:
     /// A request has no answer, or one of two: another may come yet. Until `all` nothing is taken for its unit, and until
     /// `others` nothing but the same again of its function, whose answer that might be taken for.
     void leave_alone(served_request const& unanswered, serve_time all, serve_time others);
-    /// An answer to another's request may come from a unit until then.
-    void leave_alone(std::uint8_t unit, serve_time until);
     /// Another's reading of a unit waits for that, and comes first: until then, or until it was done, none is taken for it.
     void keep(std::uint8_t unit, serve_time until) { kept_until_[unit] = until; }
     void note_kept_done(std::uint8_t unit) { kept_until_.erase(unit); }

@@ -71,7 +71,6 @@ public:
     {
         queue_.leave_alone(unanswered, all, others);
     }
-    void leave_alone(std::uint8_t unit, serve_time until) { queue_.leave_alone(unit, until); }
     void keep(std::uint8_t unit, serve_time until) { queue_.keep(unit, until); }
     void note_kept_done(std::uint8_t unit) { queue_.note_kept_done(unit); }
     [[nodiscard]] bool is_held(served_request const& request, serve_time at) const
