@@ -244,6 +244,45 @@ TEST_CASE("a stop ends by its limit where no write is taken, whatever the respon
     }
 }
 
+TEST_CASE("defect: S1 a stop that the port's error left under way sends its word in each run, also behind its limit")
+{
+    auto const check = [](auto const& stop) {
+        for (unsigned call = 1; call <= 12; ++call) {
+            INFO("its program was stopped in call " << call);
+            running it;
+            it.port.bad_reads = for_ever;
+            it.port.calls_to_stop = call;
+            it.port.stop = milliseconds(50 * 60'000);
+            auto rest = stop;
+            static_cast<void>(it.line.run(rest));
+            REQUIRE(it.port.says());
+            for (duration const pause : {milliseconds(10), milliseconds(5'000), milliseconds(35'000)}) {
+                INFO(pause.microseconds);
+                it.port.wait(pause);
+                it.port.sent.clear();
+                static_cast<void>(it.line.run(rest));
+                CHECK(it.port.says());
+            }
+        }
+    };
+    check(altivar::stop{drive});
+    check(altivar::stop{drive, stop_by::halt});
+    check(altivar::broadcast_stop{drive});
+    check(altivar::broadcast_freewheel<device>());
+}
+
+TEST_CASE("a start that the port's error left under way is ordered anew by its next run, with its whole check")
+{
+    running it;
+    it.port.bad_writes = 1;
+    altivar::start more{drive, 20_Hz};
+    REQUIRE(it.line.run(more).error == errc::device_failed);
+    it.port.sent.clear();
+    CHECK(it.line.run(more).kind == outcome_kind::succeeded);
+    REQUIRE_FALSE(it.port.sent.empty());
+    CHECK(it.port.sent.front()[1] == std::byte{3}); // it looks first
+}
+
 TEST_CASE("a stop ends at once where the device is gone")
 {
     for (errc const why : {errc::device_vanished, errc::device_not_open}) {

@@ -682,3 +682,39 @@ TEST_CASE("motion law: L3 a halt of a cycle whose words get lost, and whose read
     CHECK(halts == 3);
     CHECK_FALSE(it.has_power());
 }
+
+TEST_CASE("motion law: L4 a broadcast restarts the silence of a lost unit, also of one that its stop would follow")
+{
+    using device = atv28::device;
+    hall<device> it;
+    start go{it.motor, 20_Hz};
+    it.run([&](instant at) { it.link().converse(go, at); }, [&] { return go.settled(); }, milliseconds(5'000));
+    REQUIRE(it.has_power());
+    it.cut(0, true);
+    single_request look{it.motor.unit(), read_holding_registers{458, 1}};
+    it.run([&](instant at) { it.link().converse(look, at); }, [&] { return look.settled(); }, milliseconds(2'000));
+    it.cut(0, false);
+    it.idle(milliseconds(4'000)); // stop words are over, and the drive's time-out of 7 s is not
+    {
+        // Of another family: the drive hears a word that it does not take.
+        broadcast_stop all{*station<atv320::device>::checked(3)};
+        it.step([&](instant at) { it.link().converse(all, at); }, milliseconds(1));
+        it.idle(milliseconds(4));
+    }
+    REQUIRE(it.has_power());
+    instant const begin = it.now();
+    bool was_asked = false;
+    it.pass(
+        [&](instant at) {
+            if (look.settled()) {
+                look.again();
+            }
+            it.link().converse(look, at);
+            byte_view const frame = it.request();
+            was_asked = was_asked or (to_u8(frame[0]) == 3 and at - begin > milliseconds(10) and
+                                      to_u8(frame[1]) == 3 and it.has_power());
+        },
+        milliseconds(12'000));
+    CHECK_FALSE(was_asked);
+    CHECK_FALSE(it.has_power());
+}

@@ -318,12 +318,9 @@ template <typename Conversation> [[nodiscard]] constexpr auto outcome_of(Convers
     }
 }
 
-/// Whether a conversation can be run: one that has ended already begins anew where it can.
-template <typename Conversation> [[nodiscard]] constexpr bool can_run(Conversation& conversation) noexcept
+/// Has a conversation begin anew, for whatever client runs it; false where it cannot.
+template <typename Conversation> [[nodiscard]] constexpr bool begins_anew(Conversation& conversation) noexcept
 {
-    if (not conversation.settled()) {
-        return true;
-    }
     if constexpr (requires { conversation.again(); }) {
         if constexpr (requires { conversation.leave_client(); }) {
             conversation.leave_client();
@@ -333,6 +330,12 @@ template <typename Conversation> [[nodiscard]] constexpr bool can_run(Conversati
     } else {
         return false;
     }
+}
+
+/// Whether a conversation can be run: one that has ended already begins anew where it can.
+template <typename Conversation> [[nodiscard]] constexpr bool can_run(Conversation& conversation) noexcept
+{
+    return not conversation.settled() or begins_anew(conversation);
 }
 
 } // namespace detail

@@ -181,9 +181,9 @@ public:
     /// Runs a conversation until it is settled, and returns its `outcome()`; where it has none, its `reason()`; where it
     /// has neither, a `result<void>`. Of a conversation without a name whose outcome is a view of its response
     /// (`single_request`), only the error: the response ends with the statement. One whose outcome is a value gives it.
-    /// One that is already settled begins anew, by its `again()`. Errors besides its own: `used_already` where it has
-    /// none; those of the port: the request under way is then cancelled, and the conversation itself gets that as its
-    /// outcome.
+    /// One that is already settled begins anew, by its `again()`; so does one that commands a motor and that an error of the
+    /// port has left under way: a stop stops again. Errors besides its own: `used_already` where it has none; those of the
+    /// port: the request under way is then cancelled, and the conversation itself gets that as its outcome.
     template <typename Conversation>
         requires conversation<std::remove_cvref_t<Conversation>>
     auto run(Conversation&& conversation)
@@ -213,6 +213,14 @@ private:
         }
     }
 
+    /// Whether a conversation can be run. What a former run left of one that commands a motor was ordered, and timed, then.
+    template <typename Conversation> static constexpr bool can_run(Conversation& conversation) noexcept
+    {
+        constexpr bool commands = detail::commanding_conversation<Conversation> or
+                                  detail::stops_by_broadcast<Conversation> or detail::frees_all_units<Conversation>;
+        return (commands and detail::begins_anew(conversation)) or detail::can_run(conversation);
+    }
+
     /// Until it is settled; or `used_already`, or the error of the port. Where it has to stop, the port's reads end nothing
     /// before the word that stops has left, or 1 s in which it was not written, without what the program was stopped for: so
     /// much is sent even where nothing can be read. Nor does a write that fails, but for a device that is gone.
@@ -220,7 +228,7 @@ private:
     {
         static_assert(not detail::endless_conversation<Conversation>,
                       "this conversation never ends: give it to a client in each pass");
-        if (not detail::can_run(conversation)) {
+        if (not can_run(conversation)) {
             return errc::used_already;
         }
         auto passed = drop_stale_input();

@@ -275,6 +275,7 @@ public:
     template <typename All> constexpr void lose_all_but_its_own(All& all, instant now) noexcept
     {
         for (unit_order& each : places_) {
+            each.silence_end = now + each.silence;
             bool is_followed = not each.is_ordered;
             for (auto const& own : all.stops()) {
                 is_followed = is_followed or own.unit().byte() == each.unit;
