@@ -98,6 +98,37 @@ TEST_CASE("so it is where another device is silent already")
     CHECK(all.back <= 2 * (2s + 500ms) + 500ms);
 }
 
+TEST_CASE("devices that are back at the same moment are told as back together, within 3 s")
+{
+    duration longest{0};
+    for (duration phase{0}; phase < 10s; phase += 241ms) {
+        looked_at on{1.0, 5};
+        on.run_for(30s);
+        auto const have_all = [&](bool are_there) {
+            for (std::size_t i = 0; i < 5; ++i) {
+                on.line.units[i].is_there = are_there;
+            }
+        };
+        have_all(false); // and the sixth stays
+        on.run_for(20s + phase);
+        have_all(true);
+        auto const since = on.line.now();
+        auto const are_all_back = [&] {
+            bool are_back = true;
+            for (std::size_t i = 0; i < 5; ++i) {
+                are_back = are_back and on.board.device(i)->is_available;
+            }
+            return are_back;
+        };
+        while (not are_all_back() and on.line.now() - since < 60s) {
+            on.rounds.step();
+        }
+        longest = std::max(longest, on.line.now() - since);
+    }
+    CHECK(longest <= at_latest);
+    CHECK(longest >= 1s); // away ones are not asked all the time
+}
+
 TEST_CASE("a device that is read every 10 s is missed when it is read next, and told as back within 3 s")
 {
     longest_times const all{10s, [] { return looked_at{10.0, 3}; }};
