@@ -196,7 +196,7 @@ class Pages:
         """Leaves out a block of code that Doxygen takes from its file; the end of it gives the command."""
         fence = FENCE.match(line)
         if fence and not fence[3].strip():
-            out.append(f"\\snippet regions/{snippet[0]} {snippet[1]}")
+            out.append(f"\\snippet {snippet[0]} {snippet[1]}")
             return None
         return snippet
 

@@ -74,7 +74,7 @@ def write_settings(project, build, theme):
     files = [theme / f"doxygen-awesome-{name}.js" for name in SCRIPTS] + [site / "site.js", site / "icon.svg"]
     settings = {
         "OUTPUT_DIRECTORY": build, "INPUT": f"{build}/pages {build}/include", "STRIP_FROM_PATH": f"{build}/include {build}/pages",
-        "STRIP_FROM_INC_PATH": f"{build}/include", "EXAMPLE_PATH": f"{project} {build} {build}/diagrams", "GENERATE_TAGFILE": build / "tags.xml", "LAYOUT_FILE": build / "layout.xml",
+        "STRIP_FROM_INC_PATH": f"{build}/include", "EXAMPLE_PATH": f"{project}/examples {build}/regions {build}/diagrams", "GENERATE_TAGFILE": build / "tags.xml", "LAYOUT_FILE": build / "layout.xml",
         "HTML_HEADER": site / "header.html", "HTML_FOOTER": site / "footer.html", "HTML_EXTRA_STYLESHEET": " ".join(map(str, styles)),
         "HTML_EXTRA_FILES": " ".join(map(str, files)), "PROJECT_NUMBER": version(project),
         "INCLUDE_PATH": f"{build}/include"}
@@ -101,7 +101,7 @@ def write_pages(project, build, pages):
                f"`sh examples/run.sh {name}` builds this program and runs it.")
         (place / f"{identifier(program)}.md").write_text(
             f"# {name} {{#{identifier(program)}}}\n\n{use}\n\n"
-            f"\\include {program}\n", encoding="utf-8")
+            f"\\include {program.removeprefix('examples/')}\n", encoding="utf-8")
     write_regions(project, build / "regions", pages)
     unused = set(pages.made) - pages.used
     if unused:

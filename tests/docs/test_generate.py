@@ -19,6 +19,7 @@ import links  # noqa: E402
 import pages  # noqa: E402
 import search  # noqa: E402
 import snippets  # noqa: E402
+import stage  # noqa: E402
 
 
 class Folder(unittest.TestCase):
@@ -207,8 +208,26 @@ class Pages(Folder):
 
     def test_a_region_is_taken_from_its_program(self):
         out = self.staged("# One\n\n<!-- snippet: examples/a.cpp part -->\n```cpp\nold\n```\nend\n")
-        self.assertIn("\\snippet regions/examples/a.cpp part", out)
+        self.assertIn("\\snippet examples/a.cpp part", out)
         self.assertNotIn("old", out)
+
+
+class Settings(Folder):
+    """Doxygen walks through each folder that it is given, and follows links."""
+
+    def test_no_folder_has_what_others_build(self):
+        self.write("docs/Doxyfile", "")
+        self.write("include/rtuwire/core/version.hpp", "#define RTUWIRE_VERSION 900\n")
+        build = self.place / "build" / "docs"
+        build.mkdir(parents=True)
+        stage.write_settings(self.place, build, self.place)
+        text = (build / "Doxyfile").read_text(encoding="utf-8")
+        walked = [pathlib.Path(path) for row in re.findall("^(?:INPUT|EXAMPLE_PATH) = (.*)$", text, re.MULTILINE)
+                  for path in row.split()]
+        self.assertGreater(len(walked), 2)
+        # As Wine's folder of drives, in which z: leads to the root.
+        others = [self.place / "build/wine", build / "browser", build / "html", self.place / ".git"]
+        self.assertEqual([path for path in walked if any(path in [each, *each.parents] for each in others)], [])
 
 
 class Snippets(Folder):
