@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 # Builds the documentation, with all it needs: sh docs/build.sh [OUTPUT]. Without OUTPUT it is build/docs/html/index.html.
-# SITE_ADDRESS is the address that the site will have, with a / at its end: who is shown a link to it finds its picture by that.
+# SITE_ADDRESS is the address that the site will have, if that is known: who is shown a link to it finds its picture by that.
 # A warning, a broken link, a refusal that a compiler does not make, an error without a remedy: each ends it.
 set -eu
 here=$(CDPATH='' cd "$(dirname "$0")" && pwd)

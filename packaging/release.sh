@@ -8,12 +8,14 @@
 #
 # RTUWIRE_URL is the address of the folder that the archive will be downloaded from; vcpkg, Conan and Meson get to know it.
 # RTUWIRE_HOME is that of the project, without .git; the manifests name it as homepage and repository.
+# SITE_ADDRESS is the one that the documentation will have, where that is not RTUWIRE_HOME.
 # RTUWIRE_RELEASE_WITHOUT leaves out parts (debian download docs), for a look at the others.
 set -eu
 project=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 output=$(realpath -m -- "${1:-$project/build/release}")
 url=${RTUWIRE_URL:-https://rtuwire.invalid/releases}
 home=${RTUWIRE_HOME:-https://rtuwire.invalid/rtuwire}
+export SITE_ADDRESS="${SITE_ADDRESS:-${RTUWIRE_HOME:-}}"
 without=" ${RTUWIRE_RELEASE_WITHOUT:-} "
 export LC_ALL=C TZ=UTC
 cd "$project"

@@ -4,7 +4,8 @@
 
     python3 first.py PROJECT SITE
 
-SITE_ADDRESS, where it is set, is the address under which the site will stand: only then do others find that picture.
+SITE_ADDRESS, where it is set, is the address under which the site will stand: only then is that picture named, which others
+find by a whole address alone.
 """
 import html
 import os
@@ -14,10 +15,11 @@ import shutil
 import subprocess
 import sys
 
-from pages import Pages, html_place
+from pages import BrokenLink, Pages, html_place
 from stage import contents, version
 
-PICTURE = re.compile(r"<!-- picture -->\n(.*?)<!-- end of picture -->\n", re.DOTALL)
+PART = re.compile(r"<!-- (picture|social) -->\n(.*?)<!-- end of \1 -->\n", re.DOTALL)
+ADDRESS = re.compile(r"https?://[^/\s\"<>]+(/[^\s\"<>?#]*)?")
 # 1200 by 630 pixels, at 100 to the inch: what those who show a link ask for.
 SOCIAL = """graph {{ bgcolor="#0f151b"; viewport="864,453.6"; dpi=100; rankdir=LR; nodesep=0.2; ranksep=3.2; labelloc=t; fontname="DejaVu Sans";
 fontcolor="#e8eef4"; fontsize=32; label="\\nrtuwire {version}\\nModbus RTU for firmware, a line tool, a gateway\\n\\n ";
@@ -54,9 +56,12 @@ def size_of(picture):
 
 
 def page(text, menu, readme, number, address, picture):
-    """The page, without the place of the tool's picture where there is none."""
-    text = PICTURE.sub(lambda found: found[1] if picture else "", text)
-    marks = {"sentence": html.escape(sentence_of(readme)), "version": number, "address": address, "contents": listed(menu), "picture_words": words_of(picture) if picture else "",
+    """The page, without the place of the tool's picture where there is none, or of the other one where no address is known."""
+    if address and not ADDRESS.fullmatch(address):
+        raise BrokenLink(f"SITE_ADDRESS is '{address}'; the address of the site is a whole one, as https://example.org/rtuwire/")
+    has = {"picture": picture, "social": address}
+    text = PART.sub(lambda found: found[2] if has[found[1]] else "", text)
+    marks = {"sentence": html.escape(sentence_of(readme)), "version": number, "address": html.escape(f"{address.rstrip('/')}/"), "contents": listed(menu), "picture_words": words_of(picture) if picture else "",
              "picture_size": size_of(picture) if picture else ""}
     return re.sub(r"\{(\w+)\}", lambda found: marks.get(found[1], found[0]), text)
 
@@ -78,4 +83,7 @@ def main(project, site):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    try:
+        main(*sys.argv[1:])
+    except BrokenLink as broken:
+        sys.exit(f"docs: {broken}")

@@ -160,6 +160,29 @@ class First(unittest.TestCase):
         self.assertIn('<img alt="A terminal" width="700" height="300">', out)
 
 
+class Social(unittest.TestCase):
+    """Who shows a link to the site asks for the picture by the address that the page names, which has to be a whole one."""
+
+    def named(self, address):
+        text = (PROJECT / "docs/site/first.html").read_text(encoding="utf-8")
+        out = first.page(text, [], README, "1.2.3", address, "")
+        return re.findall('(?:og:image|twitter:)[^>]*', out), re.findall('<meta property="og:image" content="([^"]*)">', out)
+
+    def test_where_an_address_is_known_the_picture_has_it(self):
+        for address in ("https://example.org/wire", "https://example.org/wire/"):
+            with self.subTest(address):
+                self.assertEqual(self.named(address)[1], ["https://example.org/wire/social.png"])
+        self.assertEqual(self.named("http://example.org")[1], ["http://example.org/social.png"])
+
+    def test_where_none_is_known_no_picture_is_named(self):
+        self.assertEqual(self.named(""), ([], []))
+
+    def test_what_is_no_whole_address_is_refused(self):
+        for address in ("example.org/wire", "/wire/", "https:///wire", "https://example.org/a page/", "ftp://example.org/"):
+            with self.subTest(address), self.assertRaisesRegex(pages.BrokenLink, f"SITE_ADDRESS is '{address}'"):
+                self.named(address)
+
+
 class Pages(Folder):
     def staged(self, text, **made):
         self.write("README.md", text)

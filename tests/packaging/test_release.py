@@ -10,7 +10,7 @@ import unittest
 
 import yaml
 
-from support import PROJECT, InAFolder, run
+from support import PROJECT, InAFolder, run, unpack
 
 QUICKLY = {"RTUWIRE_RELEASE_WITHOUT": "debian download docs"}
 
@@ -81,6 +81,19 @@ class Release(InAFolder):
         self.release(self.place / "made", CDPATH=str(elsewhere))
         self.assertIn("  rtuwire.hpp\n", self.sums(self.place / "made"))
 
+    def test_the_documentation_learns_its_address(self):
+        """As docs/build.sh is told of it; that one has tests of its own."""
+        (self.clone / "docs/build.sh").write_text('mkdir "$1"; echo "$SITE_ADDRESS" >"$1/address"\n', encoding="utf-8")
+        run("git", "-c", "user.name=a", "-c", "user.email=a@b.invalid", "commit", "-aqm", "a", cwd=self.clone)
+        home, site = "https://host.invalid/a/wire", "https://a.host.invalid/wire/"
+        for number, (told, expected) in enumerate((({}, ""), ({"RTUWIRE_HOME": home}, home),
+                                                   ({"RTUWIRE_HOME": home, "SITE_ADDRESS": site}, site))):
+            with self.subTest(expected):
+                made = self.place / f"made_{number}"
+                run("sh", "packaging/release.sh", made, cwd=self.clone, RTUWIRE_RELEASE_WITHOUT="debian download", **told)
+                place = unpack(next(made.glob("*-docs.tar.gz")), self.place / f"docs_{number}")
+                self.assertEqual(next(place.glob("*/address")).read_text(encoding="utf-8"), f"{expected}\n")
+
     def test_an_archive_is_no_commit(self):
         self.release(self.place / "made")
         archive = next((self.place / "made").glob("rtuwire-[0-9.]*[0-9].tar.gz"))
@@ -113,8 +126,10 @@ class Workflow(unittest.TestCase):
         self.told = yaml.safe_load((PROJECT / ".github/workflows/release.yml").read_text(encoding="utf-8"))
 
     def test_it_tells_each_address_that_has_none_here(self):
-        unknown = re.findall(r"\$\{(RTUWIRE_\w+):-https://rtuwire\.invalid", (PROJECT / "packaging/release.sh").read_text(encoding="utf-8"))
-        self.assertEqual(len(unknown), 2)
+        script = (PROJECT / "packaging/release.sh").read_text(encoding="utf-8")
+        unknown = re.findall(r"\$\{(RTUWIRE_\w+):-https://rtuwire\.invalid|\$\{(SITE_ADDRESS):-", script)
+        unknown = ["".join(names) for names in unknown]
+        self.assertEqual(len(unknown), 3)
         steps = [step for step in self.told["jobs"]["make"]["steps"] if "packaging/release.sh" in step.get("run", "")]
         self.assertEqual([set(step["env"]) for step in steps], [set(unknown)])
 
