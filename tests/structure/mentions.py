@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """Holds what pages and the comments of programs mention to what there is: a name stands somewhere in the code, a file lies
-where it is said to, an example has that number.
+where it is said to, an example has that number. A header lies where the list of changes and those of mutations name it.
 
     python3 mentions.py PROJECT
 """
@@ -26,6 +26,10 @@ EXAMPLE = re.compile(r"(?<![\w/.])(?:examples/)?(\d\d_[a-z]\w+)(?:\.cpp)?(?![\w/
 # A file as it lies in the project; NAME in capitals is any name.
 FILE = re.compile(r"(?<![\w/.-])(?:include|examples|docs|tests|tools|packaging|bench|cmake)/[\w./-]*\w")
 ANY = re.compile(r"\b[A-Z]{4,}\b")
+
+# Where headers stand by their place below include/rtuwire: in tables that say where they are now, and first in each row of a list.
+MOVES, MOVED = "CHANGELOG.md", "| now | before |\n"
+LISTS = {"tests/mutation/tried.txt": "once", "tests/mutation/open.txt": "often", "tests/mutation/survivors.txt": "often"}
 
 # Names that others gave, or that a program puts together.
 OF_LIBRARIES = re.compile(r"(?:modbus|nmbs|NMBS)_\w+")
@@ -86,6 +90,34 @@ def wrong_in(page, sayings, known, files, examples):
                 yield f"{page}:{line}: {name} is no name of the code"
 
 
+def wrong_moves(path, text, headers):
+    """Headers that are said to be there now, and are not; folders end with a slash."""
+    tables = text.split(MOVED)
+    if len(tables) == 1:
+        yield f"{path}: no table says where headers are now"
+    line = 1
+    for before, table in zip(tables, tables[1:]):
+        line += before.count("\n") + 1
+        for at, row in enumerate(table.partition("\n\n")[0].splitlines()[1:], line + 1):
+            for place in INLINE.findall(row.split(" | ")[0]):
+                if place not in headers and not (place.endswith("/") and any(each.startswith(place) for each in headers)):
+                    yield f"{path}:{at}: there is no header {place}"
+
+
+def wrong_rows(path, text, headers, how_often):
+    """Rows about a header that is not there, or that has one already."""
+    seen = set()
+    for line, row in enumerate(text.splitlines(), 1):
+        header = row.partition(" | ")[0]
+        if row.startswith("#"):
+            continue
+        if header not in headers:
+            yield f"{path}:{line}: there is no header {header}"
+        if how_often == "once" and header in seen:
+            yield f"{path}:{line}: {header} has a row already"
+        seen.add(header)
+
+
 def main(project):
     root = pathlib.Path(project)
     known, files = set(), set()
@@ -107,6 +139,10 @@ def main(project):
             of_program = list(sayings_of_program(path.read_text(encoding="utf-8")))
             sayings += len(of_program)
             found += wrong_in(path.relative_to(root).as_posix(), of_program, known, files, examples)
+    headers = {path.removeprefix("include/rtuwire/") for path in files if path.startswith("include/rtuwire/")}
+    found += wrong_moves(MOVES, (root / MOVES).read_text(encoding="utf-8"), headers)
+    for path, how_often in LISTS.items():
+        found += wrong_rows(path, (root / path).read_text(encoding="utf-8"), headers, how_often)
     print("\n".join(found) or f"{sayings} mentions are of what there is")
     return 1 if found or not sayings else 0
 

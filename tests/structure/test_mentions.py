@@ -33,6 +33,21 @@ class Mentions(unittest.TestCase):
         self.assertEqual(of_page("`04_poll` `examples/04_poll.cpp` `2 * 0.01_s`", files={"examples/04_poll.cpp"}), [])
         self.assertEqual(of_page("`05_poll`"), ["docs/a.md:1: there is no example 05_poll"])
 
+    def test_a_header_is_where_the_changes_say(self):
+        def of(*rows):
+            text = "# A\n\n| now | before |\n| --- | --- |\n" + "".join(f"| {row} |\n" for row in rows) + "\n| `no.hpp` | b |\n"
+            return list(mentions.wrong_moves("C.md", text, {"ask/poller.hpp", "core/crc16.hpp"}))
+        self.assertEqual(of("`ask/poller.hpp` | `client/poller.hpp`", "`ask/`, `core/` | `client/`"), [])
+        self.assertEqual(of("`ask/poller.hpp` | `a.hpp`", "`ask/no.hpp` | `a.hpp`", "`client/` | `a.hpp`"),
+                         ["C.md:6: there is no header ask/no.hpp", "C.md:7: there is no header client/"])
+        self.assertEqual(len(list(mentions.wrong_moves("C.md", "# A\n", set()))), 1)
+
+    def test_a_list_of_headers(self):
+        text = "# words\na.hpp | 1\nb.hpp | 2\na.hpp | 3\n"
+        self.assertEqual(list(mentions.wrong_rows("a.txt", text, {"a.hpp", "b.hpp"}, "often")), [])
+        self.assertEqual(list(mentions.wrong_rows("a.txt", text, {"a.hpp"}, "once")),
+                         ["a.txt:3: there is no header b.hpp", "a.txt:4: a.hpp has a row already"])
+
     def test_comments(self):
         self.assertEqual(of_program("int a; // see 04_poll and b_c", {"b_c"}), [])
         self.assertEqual(of_program("char const* a{\"// b_c\"};\n// b_c\n"), ["examples/a.cpp:2: b_c is no name of the code"])
