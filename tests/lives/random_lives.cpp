@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Random lives of controllers and their drives, held against the law of motion:
-//     random_lives COUNT [FIRST]
+//     random_lives COUNT [FIRST | today]
 //     random_lives --life SEED
 // A life is named by its seed; the second form prints all of it. The first one prints what happened how often, the
-// seeds of lives that broke the law, and fails for one of those or where something that can happen never did.
+// seeds of lives that broke the law, and fails for one of those or where something that can happen never did. Each day (UTC) has
+// 100 000 seeds of its own, far from those that are tried with each build.
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <vector>
 
 #include "lives/blocking_life.hpp"
@@ -69,19 +72,38 @@ bool print(tally const& counts)
     return is_complete;
 }
 
+std::uint32_t first_of_today() noexcept
+{
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(std::time(nullptr)) / 86'400 * 100'000);
+}
+
+std::uint32_t number(char const* word)
+{
+    std::uint32_t value = 0;
+    char const* const end = word + std::strlen(word);
+    if (auto const read = std::from_chars(word, end, value); read.ec != std::errc{} or read.ptr != end) {
+        std::fprintf(stderr,
+                     "random_lives: '%s' is no number of 32 bits; random_lives COUNT [FIRST | today], or --life SEED\n",
+                     word);
+        std::exit(2);
+    }
+    return value;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
     tally counts;
     if (argc == 3 and std::strcmp(argv[1], "--life") == 0) {
-        auto const seed = static_cast<std::uint32_t>(std::strtoul(argv[2], nullptr, 10));
-        return live(seed, counts, true) ? 0 : 1;
+        return live(number(argv[2]), counts, true) ? 0 : 1;
     }
-    unsigned long const count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 10'000;
-    auto seed = static_cast<std::uint32_t>(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1);
+    std::uint32_t const count = argc > 1 ? number(argv[1]) : 10'000;
+    std::uint32_t seed = argc < 3 ? 1 : std::strcmp(argv[2], "today") == 0 ? first_of_today() : number(argv[2]);
+    std::printf("%u lives from seed %u on\n", count, seed);
+    std::fflush(stdout);
     std::array<unsigned, breach_count> printed{};
-    for (unsigned long i = 0; i < count; ++i, ++seed) {
+    for (std::uint32_t i = 0; i < count; ++i, ++seed) {
         auto const before = counts.breaches;
         live(seed, counts, false);
         for (std::size_t kind = 0; kind < breach_count; ++kind) {
