@@ -286,6 +286,46 @@ TEST_CASE("what is wrong in the file is refused with its place")
     CHECK(folder.refusal("site = \"a\"\ngateway = \"b\"\n").find("it has no lines") != std::string::npos);
 }
 
+TEST_CASE("no text and no key of a file, or of a register file that it names, has a control character")
+{
+    file_folder const folder;
+    std::string const right = with(
+        with(with(whole, "settings = [\"ITH\"]\n", ""), "discovery = \"\"", "user = \"u\"\npassword_file = \"p\""),
+        "rs485 = false\n", "[line.serve]\nunits = \"3\"\nlisten = \"mbap://0.0.0.0:1502\"\nfrom = [\"10.0.0.7\"]\n");
+    REQUIRE(folder.refusal(right) == "taken");
+    std::pair<std::string, std::string> const marks[]{{"\\u0000", "\\x00"}, {"\\n", "\\x0A"},
+                                                      {"\\t", "\\x09"},     {"\\u001B", "\\x1B"},
+                                                      {"\\u007F", "\\x7F"}, {"\\u0085", "\\xC2\\x85"}};
+    auto const check_all = [&](std::string const& file, std::string const& text, auto const& refusal_of) {
+        unsigned texts = 0;
+        for (std::size_t begin = text.find('"'); begin != text.npos; begin = text.find('"', begin)) {
+            std::size_t const end = text.find('"', begin + 1);
+            ++texts;
+            for (auto const& [mark, shown] : marks) {
+                for (std::size_t const at : {begin + 1, end}) {
+                    std::string changed = text;
+                    changed.insert(at, mark);
+                    std::string const found = refusal_of(changed);
+                    auto const line =
+                        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+                    CAPTURE(changed.substr(begin, end + mark.size() + 1 - begin), found);
+                    CHECK(found.starts_with(file + ':' + std::to_string(line) + ':'));
+                    CHECK(found.find(shown + (at == end ? "' has a control character" : "")) != found.npos);
+                }
+            }
+            begin = end + 1;
+        }
+        return texts;
+    };
+    CHECK(check_all("gateway.toml", right, [&](std::string const& text) { return folder.refusal(text); }) == 22);
+    CHECK(check_all("meter.toml", std::string{meter}, [&](std::string const& text) {
+              folder.write("meter.toml", text);
+              return folder.refusal(right);
+          }) == 22);
+    folder.write("meter.toml", with(meter, "off = 0", "\"of\\u0000f\" = 0"));
+    CHECK(folder.refusal(right).starts_with("meter.toml:36:13: 'of\\x00f' has a control character"));
+}
+
 TEST_CASE("of a drive nothing is a setting that moves its motor, changes how it turns, or takes orders")
 {
     file_folder const folder;

@@ -25,7 +25,6 @@
 #include "motion/checked_values.hpp"
 #include "motion/moving_registers.hpp"
 #include "motion/unsafe_write.hpp"
-#include "output/plain_text.hpp"
 #include "port/port_word.hpp"
 #include "serve/serve_settings.hpp"
 #include "words/place_value.hpp"
@@ -238,7 +237,7 @@ public:
 
     gateway_plan run()
     {
-        toml::table const all = toml_in(file(), text_);
+        toml::table const all = plain_toml_in(file(), text_);
         for (std::string_view const each : {"write", "allow-write"}) {
             if (auto const found = all.find(each); found != all.end()) {
                 refuse(found->first.source(), "'" + std::string{each} + "' is typed: no file allows it");
@@ -282,13 +281,12 @@ private:
         return *text;
     }
 
-    /// A text without control characters that is not empty; nothing where there is none.
-    std::optional<std::string> plain_in(toml::table const& from, std::string_view key) const
+    /// A text that is not empty; nothing where there is none.
+    std::optional<std::string> word_in(toml::table const& from, std::string_view key) const
     {
         auto text = text_in(from, key);
-        if (text and (text->empty() or text->size() > 1'024 or plain_text(*text) != *text)) {
-            refuse(place_of(from, key),
-                   std::string{key} + " is empty, longer than 1024 bytes or has control characters");
+        if (text and (text->empty() or text->size() > 1'024)) {
+            refuse(place_of(from, key), std::string{key} + " is empty, or longer than 1024 bytes");
         }
         return text;
     }
@@ -296,7 +294,7 @@ private:
     /// Of a file beside this one; empty where a table has none.
     std::string path_in(toml::table const& from, std::string_view key) const
     {
-        auto const text = plain_in(from, key);
+        auto const text = word_in(from, key);
         return text ? (folder_ / *text).string() : std::string{};
     }
 
@@ -310,13 +308,13 @@ private:
             file(), *broker,
             {"host", "port", "user", "password_file", "ca_file", "cert_file", "key_file", "discovery", "protocol"});
         broker_choices& to = plan_.broker;
-        to.host = plain_in(*broker, "host").value_or(to.host);
+        to.host = word_in(*broker, "host").value_or(to.host);
         if (not is_host(to.host)) {
             refuse(place_of(*broker, "host"), "host is a name or an address: \"broker.example.org\", \"192.0.2.7\", "
                                               "\"2001:db8::7\"; its port is a key of its own, and ca_file means TLS");
         }
         to.port = whole_in(*broker, "port", 1, 65'535).value_or(to.port);
-        to.user = plain_in(*broker, "user").value_or("");
+        to.user = word_in(*broker, "user").value_or("");
         to.password_file = path_in(*broker, "password_file");
         to.ca_file = path_in(*broker, "ca_file");
         to.cert_file = path_in(*broker, "cert_file");
@@ -446,8 +444,8 @@ private:
         add_said(line.said_of_clients, *said);
         check_keys(file(), *said, {"listen", "units", "from"});
         serve_choices& to = line.serve.emplace();
-        to.listen = {plain_in(*said, "listen").value_or("mbap://127.0.0.1:1502")};
-        to.units = plain_in(*said, "units").value_or("");
+        to.listen = {word_in(*said, "listen").value_or("mbap://127.0.0.1:1502")};
+        to.units = word_in(*said, "units").value_or("");
         if (to.units.empty()) {
             refuse(said->source(), "units is missing: which of them clients may read, units = \"1-4,7\"; each request "
                                    "feeds a drive's supervision of the line");
@@ -558,8 +556,8 @@ private:
 
     void read_type(toml::table const& from, device_plan& device, line_plan& line)
     {
-        auto const drive = plain_in(from, "drive");
-        auto const registers = plain_in(from, "file");
+        auto const drive = word_in(from, "drive");
+        auto const registers = word_in(from, "file");
         if (drive.has_value() == registers.has_value()) {
             refuse(from.source(),
                    "the device '" + device.name +

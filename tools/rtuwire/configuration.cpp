@@ -215,7 +215,7 @@ void read_configuration(std::string const& file, line_choices& line)
     if (not found.failure.empty()) {
         refuse_word("--config " + file + ": " + found.failure);
     }
-    toml::table const all = toml_in(file, found.text);
+    toml::table const all = plain_toml_in(file, found.text);
     check_options(file, all);
     for (option const& which : options) {
         toml::node const* const value = all.get(which.name);

@@ -7,6 +7,7 @@
 
 #include "exit_status.hpp"
 #include "files/text_place.hpp"
+#include "output/plain_text.hpp"
 #include "words/suggestion.hpp"
 
 namespace tool {
@@ -40,6 +41,29 @@ toml::source_index line_of_assertion(std::string_view text, std::string const& f
     auto const first = std::ranges::partition_point(
         ends, [&](std::size_t end) { return parsed_or_nothing(text.substr(0, end), file).has_value(); });
     return static_cast<toml::source_index>(first - ends.begin() + 1);
+}
+
+void refuse_if_not_plain(std::string const& file, toml::source_region const& where, std::string_view word)
+{
+    if (std::string const shown = plain_text(word); shown != word) {
+        refuse_at(file, where, "'" + shown + "' has a control character, which nothing in this file may: leave it out");
+    }
+}
+
+void refuse_control_characters(std::string const& file, toml::node const& value)
+{
+    if (auto const* const text = value.as_string()) {
+        refuse_if_not_plain(file, value.source(), text->get());
+    } else if (auto const* const list = value.as_array()) {
+        for (toml::node const& each : *list) {
+            refuse_control_characters(file, each);
+        }
+    } else if (auto const* const table = value.as_table()) {
+        for (auto const& [key, each] : *table) {
+            refuse_if_not_plain(file, key.source(), key.str());
+            refuse_control_characters(file, each);
+        }
+    }
 }
 
 constexpr std::size_t most_key_parts = 32;
@@ -136,6 +160,13 @@ toml::table toml_in(std::string const& file, std::string const& text)
         refuse_at(file, where, std::string{parsed->error().description()} + hint_at_text(text, where));
     }
     return std::move(*parsed).table();
+}
+
+toml::table plain_toml_in(std::string const& file, std::string const& text)
+{
+    toml::table all = toml_in(file, text);
+    refuse_control_characters(file, all);
+    return all;
 }
 
 void check_keys(std::string const& file, toml::table const& from, std::vector<std::string_view> const& known,

@@ -49,6 +49,10 @@ std::string hint_at_text(std::string_view text, toml::source_region const& where
 
 toml::table toml_in(std::string const& file, std::string const& text);
 
+/// The same of a file of this program, in which no key and no text has a control character: a path would end at a zero, a topic
+/// be none, a line of a log be two.
+toml::table plain_toml_in(std::string const& file, std::string const& text);
+
 /// Refuses a key that is none of these, with the nearest of them.
 void check_keys(std::string const& file, toml::table const& from, std::vector<std::string_view> const& known,
                 std::string_view what = "key here");
