@@ -511,7 +511,10 @@ TEST_CASE("a line that answers clients says which units they may read")
               "16:8: from: nobody could connect to mbap://[fd00::1]:1502, which is of IPv6, from addresses of IPv4 "
               "alone"},
              {"units = \"3\"\nfrom = \"10.0.0.1\"", "15:8: from is a list"},
-             {"units = \"3\"\nfrom = [\"10.0.0.0/8\",\n\"10.0.0.1/8\"]", "16:1: from 10.0.0.1/8"}}) {
+             {"units = \"3\"\nfrom = [\"10.0.0.0/8\",\n\"10.0.0.1/8\"]", "16:1: from 10.0.0.1/8"},
+             {"units = \"3\"\nfrom = [\"10.0.0.0/8\",\n\"10.0.0.0/024\"]",
+              "16:1: from 10.0.0.0/024: it is an address, 10.0.0.7, or those that begin alike, 192.168.1.0/24 or "
+              "fd00::/8: a length in decimal, without a zero in front,"}}) {
         std::string const found = folder.refusal(with_serve(keys)) + '\n';
         CAPTURE(keys, found);
         CHECK(found.starts_with("gateway.toml:" + why));

@@ -41,8 +41,10 @@ std::optional<client_range> client_range::of(std::string const& word)
     auto const all = bytes_of(host);
     unsigned const before = host.find(':') == host.npos ? bits_before_four : 0;
     unsigned const most = bits_of_six - before;
-    auto const typed = slash == word.npos ? std::optional<std::uint32_t>{most} : number_in(word.substr(slash + 1));
-    if (not all or not typed or *typed > most) {
+    std::string const length = slash == word.npos ? std::to_string(most) : word.substr(slash + 1);
+    auto const typed = number_in(length);
+    // "/024" is 20 to whoever counts in octal.
+    if (not all or not typed or *typed > most or std::to_string(*typed) != length) {
         return std::nullopt;
     }
     client_range range;

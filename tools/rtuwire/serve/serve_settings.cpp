@@ -117,7 +117,7 @@ serve_settings serve_settings_in(choices const& chosen)
         if (not range) {
             refuse_word(option_words(form, line_option::from) + " " + each +
                         ": it is an address, 10.0.0.7, or those that begin alike, 192.168.1.0/24 or "
-                        "fd00::/8, in which all bits behind that length are 0");
+                        "fd00::/8: a length in decimal, without a zero in front, behind which all bits are 0");
         }
         settings.from.push_back(*range);
     }
