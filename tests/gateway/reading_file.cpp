@@ -454,10 +454,10 @@ TEST_CASE("a line that answers clients says which units they may read")
         return with(right, "rs485 = false\n", "[line.serve]\n" + keys + "\n");
     };
     gateway_plan const plan =
-        folder.read(with_serve("units = \"3,7-9\"\nlisten = \"mbap://127.0.0.1:1503\"\nfrom = [\"10.0.0.0/8\"]"));
+        folder.read(with_serve("units = \"3,7-9\"\nlisten = \"mbap://0.0.0.0:1503\"\nfrom = [\"10.0.0.0/8\"]"));
     REQUIRE(plan.lines[0]->serve);
     CHECK(plan.lines[0]->serve->units == "3,7-9");
-    CHECK(plan.lines[0]->serve->listen == std::vector<std::string>{"mbap://127.0.0.1:1503"});
+    CHECK(plan.lines[0]->serve->listen == std::vector<std::string>{"mbap://0.0.0.0:1503"});
     CHECK(plan.lines[0]->serve->from == std::vector<std::string>{"10.0.0.0/8"});
     CHECK(plan.lines[0]->said != folder.read(right).lines[0]->said);
     bool const is_told =
@@ -506,7 +506,14 @@ TEST_CASE("a line that answers clients says which units they may read")
              {"units = \"3\"\nlisten = \"mbap://0.0.0.0:1502\"\nfrom = [\"fd00::/8\", \"::1\"]",
               "16:8: from: nobody could connect to mbap://0.0.0.0:1502, which is of IPv4, from addresses of IPv6 "
               "alone"},
-             {"units = \"3\"\nfrom = [\"fd00::/8\"]", "15:8: from: nobody could connect to mbap://127.0.0.1:1502,"},
+             {"units = \"3\"\nfrom = [\"fd00::/8\"]",
+              "15:8: from: nobody could connect to mbap://127.0.0.1:1502 from there: this machine alone reaches it, by "
+              "127.0.0.1; name that, or listen at 0.0.0.0, or at an address of this machine that they reach\n"},
+             {"units = \"3\"\nfrom = [\"10.0.0.0/8\", \"192.168.1.7\"]",
+              "15:8: from: nobody could connect to mbap://127.0.0.1:1502 from there: this machine alone reaches it"},
+             {"units = \"3\"\nlisten = \"tcp://[::1]:1502\"\nfrom = [\"fd00::/8\"]",
+              "16:8: from: nobody could connect to tcp://[::1]:1502 from there: this machine alone reaches it, by ::1; "
+              "name that, or listen at [::], or at"},
              {"units = \"3\"\nlisten = \"mbap://[fd00::1]:1502\"\nfrom = [\"10.0.0.0/8\"]",
               "16:8: from: nobody could connect to mbap://[fd00::1]:1502, which is of IPv6, from addresses of IPv4 "
               "alone"},
@@ -519,9 +526,11 @@ TEST_CASE("a line that answers clients says which units they may read")
         CAPTURE(keys, found);
         CHECK(found.starts_with("gateway.toml:" + why));
     }
-    for (std::string const keys : {"listen = \"mbap://0.0.0.0:1502\"\nfrom = [\"fd00::/8\", \"10.0.0.0/8\"]",
-                                   "listen = \"mbap://[::]:1502\"\nfrom = [\"fd00::/8\"]",
-                                   "listen = \"mbap://[::]:1502\"\nfrom = [\"10.0.0.0/8\"]"}) {
+    for (std::string const keys :
+         {"listen = \"mbap://0.0.0.0:1502\"\nfrom = [\"fd00::/8\", \"10.0.0.0/8\"]",
+          "listen = \"mbap://[::]:1502\"\nfrom = [\"fd00::/8\"]",
+          "listen = \"mbap://[::]:1502\"\nfrom = [\"10.0.0.0/8\"]", "from = [\"10.0.0.0/8\", \"127.0.0.1\"]",
+          "from = [\"127.0.0.0/8\"]", "listen = \"mbap://[::1]:1502\"\nfrom = [\"::1\"]"}) {
         CAPTURE(keys);
         CHECK(folder.refusal(with_serve("units = \"3\"\n" + keys)) == "taken");
     }

@@ -163,7 +163,7 @@ def check_gateway(tool, gateway, check):
 
 # What a client of a line sends, what `serve` says of that, and what the gateway does of its own clients.
 CLIENTS = (
-    ("an address that is not let in", None, {"from": ["10.9.9.9"]}, "is none of --from, and", "is none of from, and"),
+    ("an address that is not let in", None, {"from": ["127.0.0.9"]}, "is none of --from, and", "is none of from, and"),
     ("RTU frames at Modbus TCP", with_crc(bytes((UNIT, 3, 0, 1, 0, 1))), {}, "what it sends is for --listen tcp://ADDRESS:PORT",
      'what it sends is for listen = "tcp://ADDRESS:PORT"'),
     ("another unit", message(1, UNIT + 1, read_of(FIRST)), {}, "is not served: --units does not name it", "is not served: units does not name it"),

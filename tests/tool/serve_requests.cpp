@@ -284,7 +284,7 @@ TEST_CASE("serve: clients are known by their address")
          {"10.0.0.0/8", "0.0.0.0/0", "::ffff:10.0.0.0/104", "::ffff:0:0/96", "::/0", "::/64"}) {
         CAPTURE(four);
         CHECK(reaches(four, "0.0.0.0"));
-        CHECK(reaches(four, "::ffff:127.0.0.1"));
+        CHECK(reaches(four, "::ffff:10.0.0.1"));
         CHECK(reaches(four, "::"));
         CHECK(reaches(four, "::1") == (four.ends_with("::/0") or four.ends_with("/64")));
     }
@@ -295,6 +295,19 @@ TEST_CASE("serve: clients are known by their address")
         CHECK(reaches(six, "fe80::1%eth0"));
         CHECK(reaches(six, "0:0::0"));
     }
+    for (std::string const here : {"127.0.0.1", "127.0.0.0/8", "127.0.0.0/30", "0.0.0.0/0", "0.0.0.0/1", "::/0"}) {
+        CAPTURE(here);
+        CHECK(reaches(here, "127.0.0.1"));
+        CHECK(reaches(here, "::ffff:127.0.0.1"));
+        CHECK(reaches(here, "::1") == (here == "::/0"));
+    }
+    for (std::string const beyond : {"10.0.0.0/8", "128.0.0.0/1", "192.168.1.7", "fd00::/8", "::2"}) {
+        CAPTURE(beyond);
+        CHECK_FALSE(reaches(beyond, "127.0.0.1"));
+        CHECK_FALSE(reaches(beyond, "127.0.0.2"));
+        CHECK_FALSE(reaches(beyond, "::1"));
+    }
+    CHECK(reaches("::1", "::1"));
     CHECK(tool::is_loopback("127.3.2.1"));
     CHECK(tool::is_loopback("::1"));
     CHECK_FALSE(tool::is_loopback("0.0.0.0"));

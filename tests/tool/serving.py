@@ -981,7 +981,11 @@ def words(check, program):
                             (["--listen", "mbap://224.0.0.1:1502"], ["224.0.0.1", "many machines"]),
                             (["--listen", "tcp://[ff02::1]:1502"], ["ff02::1", "many machines"]), (["--metrics", "224.0.0.1:9502"], ["224.0.0.1"]),
                             (["--listen", "mbap://0.0.0.0:0", "--from", "fd00::/8"], ["--from", "mbap://0.0.0.0:0", "IPv6 alone"]),
-                            (["--listen", "mbap://[::1]:0", "--from", "10.0.0.0/8"], ["--from", "mbap://[::1]:0", "IPv4 alone"]),
+                            (["--listen", "mbap://[fd00::1]:0", "--from", "10.0.0.0/8"], ["--from", "mbap://[fd00::1]:0", "IPv4 alone"]),
+                            (["--listen", "mbap://[::1]:0", "--from", "10.0.0.0/8"], ["--from", "mbap://[::1]:0", "this machine alone reaches it, by ::1"]),
+                            (["--listen", "mbap://127.0.0.1:0", "--from", "10.0.0.0/8", "--from", "192.168.1.7"],
+                             ["--from", "mbap://127.0.0.1:0", "this machine alone reaches it, by 127.0.0.1; name that, or listen at 0.0.0.0"]),
+                            (["--listen", "mbap://0.0.0.0:0", "--listen", "tcp://127.0.0.1:0", "--from", "10.0.0.0/8"], ["--from", "tcp://127.0.0.1:0"]),
                             (["--allow-run"], ["--allow-run"]), (["--allow-run", "--write"], ["--allow-run"]), (["--allow-broadcast"], ["--write"])):
             ended = tool.run("serve", *said, "--for", "0.1s", port=line.name) if "--for" not in said else tool.run("serve", *said, port=line.name)
             check(ended.status in (USAGE, REFUSED, PORT) and all(each in ended.errors for each in names), f"refused, with its word: {' '.join(said)}", ended)

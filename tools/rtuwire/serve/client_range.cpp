@@ -12,6 +12,7 @@ namespace tool {
 namespace {
 
 constexpr unsigned bits_of_six = 128;
+constexpr char const* loopback[]{"127.0.0.0/8", "::1"};
 
 } // namespace
 
@@ -59,14 +60,23 @@ bool client_range::has(std::string const& host) const
     return all and begin_of(*all, length_) == first_;
 }
 
+bool client_range::meets(client_range const& other) const
+{
+    unsigned const shared = std::min(length_, other.length_);
+    return begin_of(first_, shared) == begin_of(other.first_, shared);
+}
+
 bool client_range::can_reach(std::string const& host) const
 {
-    bool const is_all_six = bytes_of(host) == bytes{};
+    for (char const* const here : loopback) {
+        if (client_range const own = *of(here); own.has(host)) {
+            return meets(own);
+        }
+    }
     client_range const four = *of("0.0.0.0/0");
-    unsigned const shared = std::min(length_, bits_before_four);
-    bool const has_four = begin_of(first_, shared) == begin_of(four.first_, shared);
-    bool const has_six = not has_four or length_ < bits_before_four;
-    return is_all_six or (four.has(host) ? has_four : has_six);
+    bool const is_all_six = bytes_of(host) == bytes{};
+    bool const has_six = not meets(four) or length_ < bits_before_four;
+    return is_all_six or (four.has(host) ? meets(four) : has_six);
 }
 
 bool is_all_here(std::string const& host) { return host == "0.0.0.0" or host == "::"; }
@@ -82,7 +92,7 @@ bool are_one_place(std::string const& one, std::string const& other)
 
 bool is_loopback(std::string const& host)
 {
-    return client_range::of("127.0.0.0/8")->has(host) or client_range::of("::1")->has(host);
+    return std::ranges::any_of(loopback, [&host](char const* here) { return client_range::of(here)->has(host); });
 }
 
 std::string host_of(std::string const& place)

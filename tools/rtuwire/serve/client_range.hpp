@@ -18,7 +18,8 @@ public:
     /// Whether an address is one of them; `host` is its number. One of IPv4 is the same as IPv6 maps it.
     [[nodiscard]] bool has(std::string const& host) const;
 
-    /// Whether one of them can connect to who listens at that number: by IPv4 to one of IPv4, by IPv6 to one of IPv6, by both to "::".
+    /// Whether one of them can connect to who listens at that number: by IPv4 to one of IPv4, by IPv6 to one of IPv6, by both to "::";
+    /// from this machine alone to one by which it reaches itself.
     [[nodiscard]] bool can_reach(std::string const& host) const;
 
     /// Whether it leaves nobody out that has an address of IPv4.
@@ -30,6 +31,7 @@ private:
 
     static std::optional<bytes> bytes_of(std::string const& host);
     static bytes begin_of(bytes const& address, unsigned length);
+    bool meets(client_range const& other) const; ///< some address is of both
 
     bytes first_{};
     unsigned length_{0}; ///< so many bits are the same

@@ -165,8 +165,12 @@ std::string why_nobody_comes(serve_settings const& settings)
             bool const is_four = client_range::of("0.0.0.0/0")->has(each.at.host);
             std::string const kind = is_four ? "IPv4" : "IPv6";
             return option_words(settings.gate.form, line_option::from) + ": nobody could connect to " + place_of(each) +
-                   ", which is of " + kind + ", from addresses of " + (is_four ? "IPv6" : "IPv4") +
-                   " alone: name some of " + kind + ", or listen at [::], which is of both";
+                   (is_loopback(each.at.host)
+                        ? " from there: this machine alone reaches it, by " + each.at.host +
+                              "; name that, or listen at " + (is_four ? "0.0.0.0" : "[::]") +
+                              ", or at an address of this machine that they reach"
+                        : ", which is of " + kind + ", from addresses of " + (is_four ? "IPv6" : "IPv4") +
+                              " alone: name some of " + kind + ", or listen at [::], which is of both");
         }
     }
     return {};
