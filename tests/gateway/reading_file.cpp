@@ -600,6 +600,64 @@ TEST_CASE("a line does not ask itself")
     }
 }
 
+TEST_CASE("lines do not ask each other in a ring")
+{
+    file_folder const folder;
+    struct two_ends {
+        std::string port;
+        std::string listen;
+    };
+    auto const refusal = [&folder](std::vector<two_ends> const& lines) {
+        std::string text = "site = \"s\"\ngateway = \"g\"\n";
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            text +=
+                "[[line]]\nname = \"l" + std::to_string(i + 1) + "\"\nport = \"" + lines[i].port + "\"\n" +
+                (lines[i].listen.empty() ? "" : "[line.serve]\nunits = \"3\"\nlisten = \"" + lines[i].listen + "\"\n") +
+                "[[line.device]]\nname = \"m\"\nunit = 3\nfile = \"meter.toml\"\n";
+        }
+        return folder.refusal(text);
+    };
+    std::string const meter_port = "mbap://meter:502";
+    CHECK(
+        refusal({{"mbap://127.0.0.1:1502", "mbap://127.0.0.1:1501"}, {"tcp://localhost:1501", "tcp://0.0.0.0:1502"}}) ==
+        "gateway.toml:15:8: port: these lines ask each other, and none of them a device: 'l2' asks "
+        "tcp://localhost:1501, "
+        "where 'l1' listens, 'l1' asks mbap://127.0.0.1:1502, where 'l2' listens; name the port of a device in one of "
+        "them");
+    // Of three and of four, closed by the last one; the line between them is none of theirs.
+    CHECK(refusal({{"mbap://127.0.0.1:1502", "mbap://127.0.0.1:1501"},
+                   {"mbap://127.0.0.1:1503", "mbap://127.0.0.1:1502"},
+                   {meter_port, ""},
+                   {"mbap://127.0.0.1:1501", "mbap://127.0.0.1:1503"}})
+              .starts_with("gateway.toml:32:8: port: these lines ask each other, and none of them a device: 'l4' asks "
+                           "mbap://127.0.0.1:1501, where 'l1' listens, 'l1' asks"));
+    CHECK(refusal({{"mbap://127.0.0.1:1504", "mbap://127.0.0.1:1501"},
+                   {"mbap://127.0.0.1:1501", "mbap://127.0.0.1:1502"},
+                   {"mbap://127.0.0.1:1502", "mbap://127.0.0.1:1503"},
+                   {"mbap://127.0.0.1:1503", "mbap://127.0.0.1:1504"}})
+              .starts_with("gateway.toml:35:8: port: these lines ask each other"));
+    // One that asks them is not among them.
+    CHECK(refusal({{"mbap://localhost:1501", ""},
+                   {"mbap://[::1]:1502", "mbap://127.0.0.1:1501"},
+                   {"mbap://127.0.0.1:1501", "mbap://[::1]:1502"}})
+              .starts_with("gateway.toml:22:8: port: these lines ask each other, and none of them a device: 'l3' asks "
+                           "mbap://127.0.0.1:1501, where 'l2' listens, 'l2' asks"));
+    // By a name that is two addresses.
+    CHECK(refusal({{meter_port, "mbap://127.0.0.1:1501"},
+                   {"mbap://127.0.0.1:1503", "mbap://[::1]:1501"},
+                   {"mbap://localhost:1501", "mbap://127.0.0.1:1503"}})
+              .starts_with("gateway.toml:25:8: port: these lines ask each other"));
+    // Through another one to a device, and a line of another machine.
+    for (std::vector<two_ends> const& right :
+         {std::vector<two_ends>{{meter_port, "mbap://127.0.0.1:1501"},
+                                {"mbap://127.0.0.1:1501", "mbap://127.0.0.1:1502"},
+                                {"mbap://127.0.0.1:1502", "mbap://127.0.0.1:1503"}},
+          std::vector<two_ends>{{"mbap://192.168.1.7:1502", "mbap://127.0.0.1:1501"},
+                                {"mbap://127.0.0.1:1501", "mbap://0.0.0.0:1502"}}}) {
+        CHECK(refusal(right) == "taken");
+    }
+}
+
 TEST_CASE("where a file has no time-out it is one that a change is told with in time")
 {
     file_folder const folder;

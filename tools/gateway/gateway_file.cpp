@@ -477,7 +477,8 @@ private:
                 refuse(place_of(*said, key), why);
             }
         }
-        refuse_taken_place({line.name, to.listen.front(), settings.listen.front().at}, at);
+        refuse_taken_place({line.name, line.choices.port, to.listen.front(), settings.listen.front().at}, at);
+        refuse_ring(place_of(from, "port"));
         if (settings.is_for_anybody() and not is_loopback(settings.listen.front().at.host)) {
             plan_.notes.push_back(line.name + ": whoever reaches " + to.listen.front() +
                                   " may read there: say from = [\"192.168.1.0/24\"] with the clients that may");
@@ -486,9 +487,10 @@ private:
                               ": where one of them is a drive, that feeds its supervision of the line");
     }
 
-    /// Where a line listens.
+    /// Where a line listens, and whom it asks.
     struct served_place {
         std::string line;
+        std::string port;
         std::string word;
         tcp_address at;
     };
@@ -505,6 +507,29 @@ private:
             }
         }
         served_places_.push_back(std::move(place));
+    }
+
+    /// Lines that read through each other's clients, and so no device; the last one that was read makes them a ring.
+    void refuse_ring(toml::source_region const& where) const
+    {
+        std::vector<std::pair<served_place const*, std::string>> asked{{&served_places_.back(), ""}}; ///< and by whom
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            auto const [one, told] = asked[i];
+            for (served_place const& each : served_places_) {
+                if (not is_asked_at(one->port, each.at)) {
+                    continue;
+                }
+                std::string const so_far =
+                    told + "'" + one->line + "' asks " + one->port + ", where '" + each.line + "' listens";
+                if (&each == asked.front().first) {
+                    refuse(where, "port: these lines ask each other, and none of them a device: " + so_far +
+                                      "; name the port of a device in one of them");
+                }
+                if (std::ranges::none_of(asked, [&each](auto const& known) { return known.first == &each; })) {
+                    asked.emplace_back(&each, so_far + ", ");
+                }
+            }
+        }
     }
 
     /// So short on a wire that who falls silent is told within 3 s; over a network a request may wait behind others.

@@ -132,9 +132,9 @@ serve_settings serve_settings_in(choices const& chosen)
     return settings;
 }
 
-std::string why_it_asks_itself(serve_settings const& settings, line_choices const& line)
+bool is_asked_at(std::string const& word, tcp_address const& at)
 {
-    port_description const port = read_port_word(line.port).port;
+    port_description const port = read_port_word(word).port;
     auto const* const numbered = std::get_if<mbap_address>(&port);
     auto const* const plain = std::get_if<tcp_address>(&port);
     tcp_address const asked = numbered != nullptr ? tcp_address{numbered->host, numbered->port}
@@ -142,13 +142,17 @@ std::string why_it_asks_itself(serve_settings const& settings, line_choices cons
                                                   : tcp_address{};
     bool const is_name = is_same_word(asked.host, "localhost");
     bool const is_here = is_name or is_all_here(asked.host) or is_loopback(asked.host);
+    // Who listens at all addresses has none of other machines.
+    auto const has = [&at, is_here](std::string const& host) {
+        return are_one_place(at.host, host) and (is_here or not is_all_here(at.host));
+    };
+    return at.port == asked.port and (is_name ? has("127.0.0.1") or has("::1") : has(asked.host));
+}
+
+std::string why_it_asks_itself(serve_settings const& settings, line_choices const& line)
+{
     for (listen_place const& each : settings.listen) {
-        // Who listens at all addresses has none of other machines.
-        auto const has = [&each, is_here](std::string const& host) {
-            return are_one_place(each.at.host, host) and (is_here or not is_all_here(each.at.host));
-        };
-        bool const is_own = is_name ? has("127.0.0.1") or has("::1") : has(asked.host);
-        if (each.at.port == asked.port and is_own) {
+        if (is_asked_at(line.port, each.at)) {
             return option_words(settings.gate.form, line_option::listen) + ": " + place_of(each) +
                    " is the line's own port, " + line.port +
                    ": it would ask itself; say another port to listen at, or the one of the server to ask";

@@ -51,6 +51,9 @@ struct serve_settings {
 /// Refuses what is wrong in itself.
 [[nodiscard]] serve_settings serve_settings_in(choices const& chosen);
 
+/// Whether who opens this port asks who listens there, as far as its word tells.
+[[nodiscard]] bool is_asked_at(std::string const& word, tcp_address const& at);
+
 /// Why a place to listen at cannot be the line's own port; empty where none is.
 [[nodiscard]] std::string why_it_asks_itself(serve_settings const& settings, line_choices const& line);
 
