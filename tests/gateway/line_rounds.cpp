@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <malloc.h>
@@ -488,6 +490,72 @@ TEST_CASE("a newer value of a register takes the place of one that waits")
     CHECK(both[0].id == "b");
     CHECK(both[1].id == "c");
     CHECK(on.line.units[0].written == 2);
+}
+
+TEST_CASE("a newer value of a register takes the place of one that is judged, until it is written")
+{
+    rounds_on_line on{1};
+    on.run_for(5s);
+    on.board.take_events();
+    bool is_first = true;
+    on.line.while_judged = [&] {
+        if (not std::exchange(is_first, false)) {
+            return;
+        }
+        on.submit(level, "2", 10s, "b");
+        on.submit(limit, "3", 10s, "c"); // another register of the same device
+        on.submit(level, "4", 10s, "d");
+    };
+    on.submit(level, "1", 10s, "a"); // a stored one: were it written, the newest one might not be for a minute
+    on.run_for(2s);
+    std::vector<std::pair<std::string, setting_result>> found;
+    for (setting_answer const& each : on.board.take_answers()) {
+        found.emplace_back(each.id, each.result);
+        CHECK((each.result == setting_result::done or each.why == "a newer one took its place"));
+    }
+    std::vector<std::pair<std::string, setting_result>> const wanted{{"b", setting_result::refused},
+                                                                     {"a", setting_result::refused},
+                                                                     {"c", setting_result::done},
+                                                                     {"d", setting_result::done}};
+    CHECK(found == wanted);
+    CHECK(on.line.units[0].written == 2);
+    CHECK(on.count(event_kind::setting) == 4);
+}
+
+TEST_CASE("each of many settings has one answer, and is told once, whatever becomes of its device")
+{
+    rounds_on_line on{2};
+    on.run_for(5s);
+    on.line.before_write = 300ms;
+    std::map<std::string, unsigned> answers;
+    unsigned sent = 0;
+    unsigned told = 0;
+    auto const take = [&] {
+        for (setting_answer const& each : on.board.take_answers()) {
+            ++answers[each.id];
+        }
+        told += on.count(event_kind::setting);
+    };
+    on.line.while_judged = [&] {
+        if (sent % 3 != 0) {
+            on.submit(sent % 2 == 0 ? limit : level, "7", 400ms, std::to_string(sent));
+            ++sent;
+        }
+    };
+    for (unsigned i = 0; i < 300; ++i) {
+        on.line.units[0].is_there = i / 20 % 2 == 0;
+        on.line.is_gone = i % 50 == 49;
+        on.submit(i % 4 == 0 ? level : limit, std::to_string(i), i % 7 == 0 ? 0ms : 250ms * (i % 5),
+                  std::to_string(sent));
+        ++sent;
+        on.run_for(i % 3 == 0 ? 400ms : 20ms);
+        take();
+    }
+    on.rounds.end();
+    take();
+    CHECK(answers.size() == sent);
+    CHECK(told == sent);
+    CHECK(std::ranges::all_of(answers, [](auto const& each) { return each.second == 1; }));
 }
 
 TEST_CASE("a setting that expires behind another's time-out, or while it is judged, is not written")

@@ -107,6 +107,7 @@ public:
     setting_outcome write(setting_request const& request_, setting_look const& last_look) override
     {
         pass(before_write);
+        while_judged();
         if (auto const stopped = last_look()) {
             return *stopped;
         }
@@ -131,9 +132,10 @@ public:
     clock::duration timeout{200ms};
     unsigned tries{1}; ///< of one request, where nobody responds
     clock::duration before_write{0ms};
-    std::chrono::milliseconds listening{0}; ///< before the first request of a line that was opened
-    bool is_gone{false};                    ///< the port
-    std::string hangs_up{};                 ///< why it is lost at each request; empty where it is not
+    std::function<void()> while_judged{[] {}}; ///< what comes before it is written
+    std::chrono::milliseconds listening{0};    ///< before the first request of a line that was opened
+    bool is_gone{false};                       ///< the port
+    std::string hangs_up{};                    ///< why it is lost at each request; empty where it is not
     bool loses_port_in_write{false};
     unsigned opens{0};
 

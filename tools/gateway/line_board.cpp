@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
+
+#include "output/plain_text.hpp"
 
 namespace tool::gateway {
 
@@ -16,6 +19,15 @@ template <typename Entry> void add_bounded(std::deque<Entry>& to, Entry entry, s
         to.pop_front();
     }
     to.push_back(std::move(entry));
+}
+
+constexpr std::string_view replaced = "a newer one took its place";
+
+auto is_of_register(setting_request const& one)
+{
+    return [device = one.device, value = one.value](waiting_setting const& each) {
+        return each.request.device == device and each.request.value == value;
+    };
 }
 
 template <typename Entry> std::vector<Entry> taken(std::deque<Entry>& from)
@@ -56,11 +68,21 @@ void line_board::tell(line_event event)
     on_news_();
 }
 
-void line_board::answer(setting_answer answer)
+void line_board::answer(setting_request const& request, setting_result result, std::string why, std::uint64_t unix_time)
 {
+    std::string device;
+    std::string text = plan_.name + ": ";
+    if (has(request)) {
+        device_plan const& of = plan_.devices[request.device];
+        device = of.name;
+        text += device + ": " + of.values[request.value].name + '=' + plain_text(request.text) + ": ";
+    }
+    text += std::string{name_of(result)} + (why.empty() ? "" : ": ") + plain_text(why);
+    tell({event_kind::setting, unix_time, std::move(device), std::move(text)});
     {
         std::scoped_lock const held{guard_};
-        add_bounded(answers_, std::move(answer), most_answers);
+        add_bounded(answers_, {request.device, request.value, request.id, result, std::move(why), unix_time},
+                    most_answers);
     }
     on_news_();
 }
@@ -82,46 +104,51 @@ line_state line_board::state() const
     return state_;
 }
 
+bool line_board::has(setting_request const& request) const
+{
+    return request.device < plan_.devices.size() and request.value < plan_.devices[request.device].values.size();
+}
+
 std::string line_board::why_never(setting_request const& request) const
 {
-    bool const is_there =
-        request.device < plan_.devices.size() and request.value < plan_.devices[request.device].values.size();
-    if (not is_there or not plan_.devices[request.device].values[request.value].setting) {
+    if (not has(request) or not plan_.devices[request.device].values[request.value].setting) {
         return "it is none of the settings that the file names";
     }
     return may_write_ ? "" : "this gateway only reads: it runs without --write";
 }
 
+std::string line_board::why_replaced(setting_request const& request) const
+{
+    std::scoped_lock const held{guard_};
+    return std::ranges::any_of(settings_, is_of_register(request)) ? std::string{replaced} : std::string{};
+}
+
 void line_board::submit(setting_request request, std::uint64_t unix_time, clock::time_point now)
 {
-    setting_answer refused{request.device,          request.value,      request.id,
-                           setting_result::refused, why_never(request), unix_time};
-    if (refused.why.empty() and request.expires <= unix_time) {
-        refused.result = setting_result::expired;
-        refused.why = "it expired before it came";
-    } else if (refused.why.empty() and request.expires - unix_time > longest_expiry) {
-        refused.why = "it expires more than 60 s ahead";
+    setting_result result = setting_result::refused;
+    std::string why = why_never(request);
+    if (why.empty() and request.expires <= unix_time) {
+        result = setting_result::expired;
+        why = "it expired before it came";
+    } else if (why.empty() and request.expires - unix_time > longest_expiry) {
+        why = "it expires more than 60 s ahead";
     }
-    if (not refused.why.empty()) {
-        answer(std::move(refused));
+    if (not why.empty()) {
+        answer(request, result, std::move(why), unix_time);
         return;
     }
-    std::optional<setting_answer> replaced;
+    std::optional<setting_request> older;
     {
         std::scoped_lock const held{guard_};
-        auto const before = std::ranges::find_if(settings_, [&request](waiting_setting const& each) {
-            return each.request.device == request.device and each.request.value == request.value;
-        });
-        if (before != settings_.end()) {
-            replaced = setting_answer{before->request.device,  before->request.value,        before->request.id,
-                                      setting_result::refused, "a newer one took its place", unix_time};
+        if (auto const before = std::ranges::find_if(settings_, is_of_register(request)); before != settings_.end()) {
+            older = std::move(before->request);
             settings_.erase(before);
         }
         auto const left = std::chrono::microseconds{request.expires - unix_time};
         settings_.push_back({std::move(request), now + left});
     }
-    if (replaced) {
-        answer(std::move(*replaced));
+    if (older) {
+        answer(*older, setting_result::refused, std::string{replaced}, unix_time);
     }
 }
 

@@ -39,9 +39,12 @@ public:
     void put(std::size_t device, slot_content content);
     void set_state(line_state state);
     void tell(line_event event);
-    void answer(setting_answer answer);
+    /// For whoever asked, and for the log.
+    void answer(setting_request const& request, setting_result result, std::string why, std::uint64_t unix_time);
     /// The one that waits longest.
     std::optional<waiting_setting> take_setting();
+    /// Why one that was taken is not to be written any more: one of the same register waits behind it. Empty where none does.
+    std::string why_replaced(setting_request const& request) const;
 
     // The others' side: see `running_line`.
 
@@ -52,6 +55,7 @@ public:
     std::vector<line_event> take_events();
 
 private:
+    bool has(setting_request const& request) const;
     std::string why_never(setting_request const& request) const;
 
     line_plan const& plan_;

@@ -409,6 +409,9 @@ void line_rounds::write(waiting_setting const& setting)
         return;
     }
     setting_look const last_look = [&]() -> std::optional<setting_outcome> {
+        if (std::string const why = board_.why_replaced(request); not why.empty()) { // while it was judged
+            return setting_outcome{setting_result::refused, why};
+        }
         if (std::string const why = is_expired() ? std::string{} : claim(request); not why.empty()) {
             return setting_outcome{setting_result::refused, why};
         }
@@ -439,11 +442,7 @@ void line_rounds::write(waiting_setting const& setting)
 
 void line_rounds::answer(setting_request const& request, setting_result result, std::string why)
 {
-    device_plan const& to = plan_.devices[request.device];
-    tell(event_kind::setting, to.name,
-         to.values[request.value].name + '=' + request.text + ": " + std::string{name_of(result)} +
-             (why.empty() ? "" : ": " + why));
-    board_.answer({request.device, request.value, request.id, result, std::move(why), line_.unix_time()});
+    board_.answer(request, result, std::move(why), line_.unix_time());
 }
 
 void line_rounds::end()

@@ -81,8 +81,8 @@ public:
     /// What is known of a device.
     [[nodiscard]] device_slot::content device(std::size_t which) const;
 
-    /// One register has one request that waits: a newer one takes its place, and the older is answered `refused`. What is no
-    /// setting, expired, too far ahead or not allowed is answered, too, and never leaves.
+    /// One register has one request that waits, until its frame leaves: a newer one takes its place, and the older is answered
+    /// `refused`. What is no setting, expired, too far ahead or not allowed is answered, too, and never leaves.
     void submit(setting_request request);
 
     /// What has come since the last call. Of events the oldest are dropped where nobody takes them.

@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSL-1.0
 """Settings from MQTT: what is written, what never is, and what each command is answered.
 
-    python3 setting.py GATEWAY TOOL done|stored|refused|moments|hung|cuts|drive
+    python3 setting.py GATEWAY TOOL done|replaced|stored|refused|moments|hung|cuts|drive
 
 Behind `cuts`: all, for every moment with both qualities of service.
 """
 import json
+import threading
 import time
 
 from stand import (LIMIT, SITE, Broker, Client, Folder, Gateway, Proxy, Simulator, Units, a_line, a_meter, flows, meter, moment, runs,
@@ -88,6 +89,52 @@ def done(check, program, _):
             check(len(line.writes) == tried and line.units[3][10] == 225, "the command is not carried out later", line.writes[before:])
             check("set_point" in gateway.said(), "a write is told to people")
             check(gateway.end() == 0, "it ends")
+
+
+class Held(Units):
+    """A unit that keeps the answer by which it would be known as no drive, before it is written, until `let_go` is set."""
+
+    FIRST = 3201
+
+    def __init__(self, units):
+        super().__init__(units)
+        self.is_held, self.let_go = threading.Event(), threading.Event()
+        self.let_go.set()
+
+    def answer(self, request):
+        if int.from_bytes(request[2:4], "big") == self.FIRST and not self.let_go.is_set():
+            self.is_held.set()
+            self.let_go.wait(LIMIT)
+        return super().answer(request)
+
+
+def replaced(check, program, _):
+    """A newer command takes the place of one for the same register whose device is late; each has one answer, and a line of the log."""
+    with Folder() as folder, Broker(folder) as broker, Held({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        text = text_of(broker.port, [a_line(line.name, a_meter(settings=["set_point", "kept", "mode"], registers=["voltage"]), timeout=30)])
+        with Gateway(program, folder, text, "--write") as gateway:
+            check(flows(client), "values come")
+            ask, sent = Asking(check, client), []
+
+            def send(name, value):
+                sent.append((name, value, ask.send(name, value, expires=50.0)))
+
+            line.let_go.clear()
+            send("kept", 500)
+            check(line.is_held.wait(LIMIT), "one is under way, and its unit is late")
+            for name, value in (("set_point", 30), ("kept", 501), ("mode", "off"), ("set_point", 31), ("kept", 502)):
+                send(name, value)
+            ask.expect("mode", 1, ("refused",), "what is wrong in itself is answered at once, and those before it were taken", expires=None)
+            line.let_go.set()
+            check(soon(lambda: all(ask.answers(name, number) for name, _, number in sent), LIMIT), "all are answered")
+            check(flows(client, count=3), "values go on")
+            results = [[(said["result"], said["why"]) for said, _ in ask.answers(name, number)] for name, _, number in sent]
+            older, newest = [("refused", "a newer one took its place")], [("done", "")]
+            check(results == [older, older, older, newest, newest, newest], "each once: the newest of each register is done", results)
+            check([each[2:] for each in line.writes] == [(12, [0]), (10, [310]), (11, [502])], "and nothing else is written", line.writes)
+            for name, value, _ in sent:
+                told = [each for each in gateway.said().splitlines() if f" {name}={value}: " in each]
+                check(len(told) == 1, f"{name}={value} is told once", told)
 
 
 def stored(check, program, _):
@@ -299,7 +346,7 @@ def drive(check, program, tool):
 
 
 def main(check, program, tool, part, *more):
-    {"done": done, "stored": stored, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
+    {"done": done, "replaced": replaced, "stored": stored, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":
