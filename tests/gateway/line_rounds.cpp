@@ -273,6 +273,86 @@ TEST_CASE("what answers a repetition says who it is before its values count")
     }
 }
 
+TEST_CASE("a device whose identification takes turns leaves the others theirs")
+{
+    rounds_on_line on{3};
+    timed_line::unit& slow = on.line.units[0];
+    slow.looks = 8;
+    slow.takes = 1s;
+    time_point const began = on.line.now();
+    time_point last_read = began;
+    asked_line::clock::duration longest{};
+    for (unsigned reads = 0; slow.reads == 0;) {
+        on.rounds.step();
+        REQUIRE(on.line.now() - began < 20s);
+        if (std::exchange(reads, on.line.units[1].reads) != on.line.units[1].reads) {
+            longest = std::max(longest, on.line.now() - last_read);
+            last_read = on.line.now();
+        }
+    }
+    CHECK(slow.identified == 8);
+    CHECK(longest < 2100ms); // its period, and one turn
+    CHECK(on.line.units[2].reads + 1 >= on.line.units[1].reads);
+    CHECK(on.count(event_kind::note) == 0);
+}
+
+TEST_CASE("what a slow device said counts once it has said who it is, in turns with others")
+{
+    rounds_on_line on{2};
+    auto const names = std::make_shared<tool::named_places>();
+    names->vendor = "Maker";
+    on.plan.devices[0].names = names;
+    on.run_for(5s);
+    timed_line::unit& slow = on.line.units[0];
+    slow.looks = 3;
+    slow.takes = 600ms;
+    slow.loses_one = slow.is_late = true;
+    slow.held = 222;
+    unsigned const reads = slow.reads, identified = slow.identified, others = on.line.units[1].reads;
+    auto const value = [&] { return on.board.device(0)->values[power]; };
+    while (slow.identified < identified + 2) {
+        on.rounds.step();
+    }
+    CHECK(slow.reads == reads + 1);
+    CHECK(on.line.units[1].reads >= others + 2);
+    CHECK_FALSE(value().value == cell{std::int64_t{222}});
+    SECTION("the same one")
+    {
+        std::uint64_t const read_at = slow.read_at;
+        while (slow.identified < identified + 3) {
+            on.rounds.step();
+        }
+        CHECK(slow.reads == reads + 1);
+        CHECK(value().value == cell{std::int64_t{222}});
+        CHECK(value().time == read_at);
+    }
+    SECTION("another one")
+    {
+        slow.is_other = true;
+        on.run_for(5s);
+        CHECK(value().state == value_state::not_read);
+        CHECK(on.count(event_kind::wrong_device) == 1);
+        CHECK(slow.reads == reads + 1);
+    }
+    SECTION("one that went")
+    {
+        slow.is_there = false;
+        on.run_for(5s);
+        CHECK(value().state == value_state::not_read);
+        CHECK(on.count(event_kind::device_silent) == 1);
+    }
+    SECTION("one whose port went, and is back with another value")
+    {
+        on.line.is_gone = true;
+        on.run_for(1s);
+        on.line.is_gone = false;
+        slow.held = 333;
+        slow.takes = 0ms;
+        on.run_for(10s);
+        CHECK(value().value == cell{std::int64_t{333}});
+    }
+}
+
 TEST_CASE("a setting whose turn does not come before the end is answered")
 {
     rounds_on_line on{1};

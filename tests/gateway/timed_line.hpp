@@ -34,9 +34,12 @@ public:
         bool is_late{false};
         bool loses_one{false};    ///< response, before it answers the repetition
         bool falls_silent{false}; ///< behind its next response, when it is asked for more
+        clock::duration takes{0}; ///< more, for each response
+        unsigned looks{1};        ///< so many turns its identification takes
         std::int64_t held{0};
         unsigned reads{0};
-        unsigned identified{0};
+        unsigned looked{0};     ///< turns of an identification that is not through
+        unsigned identified{0}; ///< turns in all
         unsigned written{0};
         bool owes{false};         ///< an answer that may come yet, from when it is identified on
         unsigned kept{0};         ///< so often its turn was
@@ -66,7 +69,13 @@ public:
         is_open_ = true;
         has_listened_ = false;
     }
-    void close() override { is_open_ = false; }
+    void close() override
+    {
+        is_open_ = false;
+        for (unit& each : units) {
+            each.looked = 0;
+        }
+    }
 
     bool is_left_alone(std::size_t device) const override
     {
@@ -79,8 +88,13 @@ public:
         unit& asked = units[device];
         ++asked.identified;
         if (not request(asked, is_known_silent ? 1 : tries)) {
+            asked.looked = 0;
             return {device_finding::kind::silent, "no response in time"};
         }
+        if (++asked.looked < asked.looks) {
+            return {device_finding::kind::open, {}};
+        }
+        asked.looked = 0;
         return asked.is_other ? device_finding{device_finding::kind::wrong, "another device"} : device_finding{};
     }
 
@@ -155,7 +169,8 @@ private:
         }
         ++counts_.asked;
         counts_.silent += asked.is_there ? 0U : 1U;
-        pass((asked.is_there ? response : most * timeout) + (std::exchange(has_listened_, true) ? 0ms : listening));
+        pass((asked.is_there ? response + asked.takes : most * timeout) +
+             (std::exchange(has_listened_, true) ? 0ms : listening));
         return asked.is_there;
     }
 

@@ -43,7 +43,12 @@ struct part_reading {
 
 /// Who is at an address.
 struct device_finding {
-    enum class kind : std::uint8_t { right, wrong, silent };
+    enum class kind : std::uint8_t {
+        right,
+        wrong,
+        silent,
+        open, ///< yet: the rest is asked in a later turn
+    };
 
     kind what{kind::right};
     std::string why{};
@@ -86,7 +91,7 @@ public:
 
     virtual void open() = 0;
     virtual void close() = 0;
-    /// By one request, sent once, where it is silent as far as anybody knows.
+    /// By one request, sent once, where it is silent as far as anybody knows. In turns, where its responses do not come at once.
     virtual device_finding identify(std::size_t device, bool is_known_silent) = 0;
     virtual part_reading read(std::size_t part) = 0;
     /// Once, where all that `write` looks at allows it, and `last_look` has nothing against it just before it leaves.

@@ -132,9 +132,13 @@ void line_rounds::lose_port(std::string const& why)
     for (std::size_t i = 0; i < devices_.size(); ++i) {
         begin_patience(devices_[i]);
         devices_[i].wrong_until = {};
+        devices_[i].is_looked_at = false;
         if (devices_[i].content.why != why) {
             mark_lost(i, why);
         }
+    }
+    for (part& each : parts_) {
+        each.reading.reset();
     }
     show_state();
 }
@@ -179,15 +183,58 @@ void line_rounds::ask_parts(clock::time_point now)
 void line_rounds::ask(part& one)
 {
     std::size_t const which = one.what.device;
-    bool const is_to_be_read = not may_be_another(which) or identify(which);
-    if (is_to_be_read and line_.is_left_alone(which)) { // since it was identified
+    bool const is_turn_of_look = devices_[which].is_looked_at;
+    if (may_be_another(which) and not is_of_right_one(one)) {
         return;
     }
-    if (is_to_be_read and not read(one, static_cast<std::size_t>(&one - parts_.data()))) {
+    if (is_turn_of_look and not one.reading) { // the next request of it costs as much
+        end_turn(which);
+        return;
+    }
+    if (not one.reading) {
+        if (line_.is_left_alone(which)) { // since it was identified
+            return;
+        }
+        if (not read(one)) {
+            if (not one.reading->found.late.empty()) {
+                look_later(which);
+                return;
+            }
+            if (not is_of_right_one(one)) {
+                return;
+            }
+        }
+    }
+    if (take(one)) {
+        schedule(one, devices_[which].is_identified);
+    } else {
         one.turn = line_.now();
-        return;
     }
-    schedule(one, devices_[which].is_identified);
+}
+
+bool line_rounds::is_of_right_one(part& one)
+{
+    auto const who = identify(one.what.device);
+    if (who == device_finding::kind::silent or who == device_finding::kind::wrong) {
+        schedule(one, devices_[one.what.device].is_identified);
+    }
+    return who == device_finding::kind::right;
+}
+
+void line_rounds::look_later(std::size_t which)
+{
+    devices_[which].is_looked_at = true;
+    silent_at_ = line_.now();
+    end_turn(which);
+}
+
+void line_rounds::end_turn(std::size_t which)
+{
+    for (part& each : parts_) {
+        if (each.what.device == which) {
+            each.turn = line_.now();
+        }
+    }
 }
 
 /// One that says who it is may have been exchanged where it was missed once, or not heard for a while.
@@ -195,7 +242,7 @@ bool line_rounds::may_be_another(std::size_t which) const
 {
     device const& one = devices_[which];
     bool const is_doubtful = one.misses > 0 or line_.now() - one.heard >= longest_unheard;
-    return not one.is_identified or (is_doubtful and says_who(which));
+    return one.is_looked_at or not one.is_identified or (is_doubtful and says_who(which));
 }
 
 bool line_rounds::says_who(std::size_t which) const
@@ -233,31 +280,42 @@ void line_rounds::schedule(part& one, bool is_live)
     }
 }
 
-bool line_rounds::identify(std::size_t which)
+device_finding::kind line_rounds::identify(std::size_t which)
 {
+    using enum device_finding::kind;
     device& one = devices_[which];
     clock::time_point const began = line_.now();
     device_finding const found = line_.identify(which, one.patience.is_silent());
-    if (found.what == device_finding::kind::silent) {
+    silent_at_ = std::exchange(one.is_looked_at, false) ? line_.now() : silent_at_;
+    if (found.what == open) {
+        look_later(which);
+        return open;
+    }
+    for (part& each : parts_) {
+        if (each.what.device == which and found.what != right) {
+            each.reading.reset();
+        }
+    }
+    if (found.what == silent) {
         note_silence(which, found.why, line_.now() - began);
-        return false;
+        return silent;
     }
     begin_patience(one);
     if (not told_losses_.empty()) {
         confirm_port();
     }
-    if (found.what == device_finding::kind::wrong) {
+    if (found.what == wrong) {
         one.wrong_until = line_.now() + wrong_device_pause;
         if (one.content.why != found.why) {
             mark_lost(which, found.why);
             one.was_told = true;
             tell(event_kind::wrong_device, plan_.devices[which].name, found.why);
         }
-        return false;
+        return wrong;
     }
     one.is_identified = true;
     one.heard = line_.now();
-    return true;
+    return right;
 }
 
 /// It responds, or is to be met: so many rounds it may miss from here on.
@@ -305,23 +363,28 @@ void line_rounds::mark_lost(std::size_t which, std::string const& why)
     put(which);
 }
 
-bool line_rounds::read(part& one, std::size_t index)
+bool line_rounds::read(part& one)
+{
+    std::size_t const which = one.what.device;
+    clock::time_point const began = line_.now();
+    std::uint64_t const time = line_.unix_time();
+    part_reading found = line_.read(static_cast<std::size_t>(&one - parts_.data()));
+    silent_at_ = found.was_repeated ? line_.now() : silent_at_;
+    bool const was_read_in_part = std::exchange(one.is_read_in_part, found.has_responded and found.has_fallen_silent);
+    bool const may_be_gone = one.is_read_in_part and not was_read_in_part;
+    bool const may_be_exchanged = found.was_repeated and says_who(which);
+    bool const is_doubtful = found.has_responded and (may_be_gone or may_be_exchanged);
+    one.reading = {std::move(found), time, line_.now() - began};
+    return not is_doubtful;
+}
+
+bool line_rounds::take(part& one)
 {
     std::size_t const which = one.what.device;
     device& asked = devices_[which];
-    clock::time_point const began = line_.now();
-    std::uint64_t const time = line_.unix_time(); // none of its values is older
-    part_reading found = line_.read(index);
-    silent_at_ = found.was_repeated ? line_.now() : silent_at_;
-    bool const was_read_in_part = std::exchange(one.is_read_in_part, found.has_responded and found.has_fallen_silent);
-    // It may have gone in between, or another device may have answered behind a response that was lost.
-    bool const may_be_gone = one.is_read_in_part and not was_read_in_part;
-    bool const may_be_exchanged = found.was_repeated and says_who(which);
-    if (found.has_responded and (may_be_gone or may_be_exchanged) and not identify(which)) {
-        return true;
-    }
+    auto [found, time, cost] = *std::exchange(one.reading, std::nullopt);
     if (not found.has_responded) {
-        note_silence(which, found.why, line_.now() - began);
+        note_silence(which, found.why, cost);
         if (not asked.is_identified) {
             return true; // all of it is marked
         }

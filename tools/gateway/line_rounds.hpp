@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The rounds of one line: what is due is read, oldest first; a setting goes before. A reading's turn ends behind a response that did
-// not come at once: the rest is read behind what else is due. A device that is silent is asked with
-// growing pauses, and behind what one of them costs others have nine times as long, 2 s at most. A device is silent where
-// a request and its repetition had no response; where it was lost before within a minute, behind as many rounds more. A
-// device is identified before its values count, and again once it was lost.
+// The rounds of one line: what is due is read, oldest first; a setting goes before. The turn of a reading, and of an
+// identification, ends behind a response that did not come at once: the rest comes behind what else is due. A device that
+// is silent is asked with growing pauses, and behind what one of them costs others have nine times as long, 2 s at most. A
+// device is silent where a request and its repetition had no response; where it was lost before within a minute, behind as
+// many rounds more. A device is identified before its values count, and again once it was lost.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,16 +43,23 @@ public:
     void end();
 
 private:
+    struct turn_reading {
+        part_reading found;
+        std::uint64_t time;   ///< microseconds since 1970, when it began: none of its values is older
+        clock::duration cost; ///< of the line
+    };
     struct part {
         device_part what;
         clock::duration period;
         clock::time_point due;
-        clock::time_point turn{};    ///< its last, of a reading that is not through: behind others that are due
-        bool is_read_in_part{false}; ///< some of it had no response, the last time
+        clock::time_point turn{};              ///< its last, of what is not through: behind others that are due
+        bool is_read_in_part{false};           ///< some of it had no response, the last time
+        std::optional<turn_reading> reading{}; ///< that counts once its device has said who it is
     };
     struct device {
         asked_less patience{1, longest_pause};
         bool is_identified{false};
+        bool is_looked_at{false};  ///< in turns: its identification is not through
         clock::time_point heard{}; ///< last
         bool was_told{false};      ///< that it is lost, or another's
         unsigned misses{0};
@@ -83,10 +92,17 @@ private:
     /// Whether it has to be identified before it is read.
     bool may_be_another(std::size_t which) const;
     bool says_who(std::size_t which) const;
-    /// False where it is silent, or another.
-    bool identify(std::size_t which);
-    /// Whether it is through with that.
-    bool read(part& one, std::size_t index);
+    device_finding::kind identify(std::size_t which);
+    /// Its device is asked who it is in a later turn.
+    void look_later(std::size_t which);
+    /// What is due of it comes behind what is due of others.
+    void end_turn(std::size_t which);
+    /// Whether its device is the right one; where not, its next turn is set.
+    bool is_of_right_one(part& one);
+    /// False where its device may have gone meanwhile, or another one have answered behind a response that was lost.
+    bool read(part& one);
+    /// What was read counts. Whether it is through with that.
+    bool take(part& one);
     void schedule(part& one, bool is_live);
     void begin_patience(device& one) const;
     void note_silence(std::size_t which, std::string const& why, clock::duration cost);

@@ -87,7 +87,7 @@ bool reads_registers(std::byte function) { return function <= std::byte{4}; }
 } // namespace
 
 opened_line::opened_line(line_plan const& plan, std::function<void(std::string const&)> tell)
-    : plan_{plan}, tell_{std::move(tell)}
+    : plan_{plan}, tell_{std::move(tell)}, looks_(plan.devices.size())
 {
     serve(plan.serve);
     for (device_part& each : parts_of(plan)) {
@@ -173,6 +173,7 @@ void opened_line::open()
 void opened_line::close()
 {
     std::ranges::for_each(parts_, &read_part::begin_anew);
+    std::ranges::for_each(looks_, &earlier_turns::begin_anew);
     if (clients_) {
         clients_->end();
     }
@@ -209,9 +210,12 @@ bool opened_line::is_left_alone(std::size_t device) const
     if (not line_) {
         return false;
     }
-    auto const owed = line_->exchange().owed().functions_owed(std::byte{unit});
+    owed_answers const& owed = line_->exchange().owed();
+    // Of one that is late whatever may come holds up the line until it has, where that is asked meanwhile.
+    bool const is_late = owed.is_late(std::byte{unit});
     return std::ranges::any_of(
-               owed, [this](auto const& each) { return reads_registers(each.first) and now() < each.second; }) or
+               owed.functions_owed(std::byte{unit}),
+               [&](auto const& each) { return (is_late or reads_registers(each.first)) and now() < each.second; }) or
            (clients_ and clients_->is_left_alone(unit));
 }
 
@@ -259,28 +263,37 @@ std::string opened_line::why_wrong(device_plan const& device)
     return is_said ? why_another_device(unit, who, device.names->vendor, device.names->product) : std::string{};
 }
 
-device_finding opened_line::identify(std::size_t which, bool is_known_silent)
+device_finding opened_line::look_at(device_plan const& device, bool is_known_silent)
 {
-    device_plan const& device = plan_.devices[which];
-    note_asked(device);
     // One that is away costs one request.
     auto const look = is_known_silent ? look_at_place : read_place;
     held_words const first = look(*line_, device.unit.unit, device.values.front().which.where);
     if (status_of(first.why) == exit_status::port) {
         throw ended{exit_status::port, line_->port().failure()};
     }
-    note_outcome(device, not is_silence(first.why));
-    std::string const why = is_silence(first.why) ? std::string{} : why_wrong(device);
+    if (is_silence(first.why)) {
+        return {device_finding::kind::silent, first.failure};
+    }
+    std::string const why = why_wrong(device);
+    return why.empty() ? device_finding{} : device_finding{device_finding::kind::wrong, why};
+}
+
+device_finding opened_line::identify(std::size_t which, bool is_known_silent)
+{
+    using enum device_finding::kind;
+    device_plan const& device = plan_.devices[which];
+    note_asked(device);
+    auto const found = line_->ask_on(looks_[which], [&] { return look_at(device, is_known_silent); });
     for (read_part& each : parts_) {
-        if (each.what.device == which and (is_silence(first.why) or not why.empty())) {
+        if (found and found->what != right and each.what.device == which) {
             each.begin_anew();
         }
     }
     hold_clients(device);
-    if (is_silence(first.why)) {
-        return {device_finding::kind::silent, first.failure};
+    if (found) {
+        note_outcome(device, found->what != silent);
     }
-    return why.empty() ? device_finding{} : device_finding{device_finding::kind::wrong, why};
+    return found.value_or(device_finding{open});
 }
 
 slot_value opened_line::value_of(device_plan const& device, device_value const& value,

@@ -58,6 +58,8 @@ private:
         }
     };
 
+    /// In turns.
+    device_finding look_at(device_plan const& device, bool is_known_silent);
     void wait(int descriptor, rtuwire::instant until) override;
     bool is_over() const override { return false; }
     bool wait_for_bytes(int descriptor, std::chrono::microseconds time);
@@ -74,6 +76,7 @@ private:
     line_plan const& plan_;
     std::function<void(std::string const&)> tell_;
     std::vector<read_part> parts_{};
+    std::vector<earlier_turns> looks_;      ///< at each device, that are not through
     std::optional<line_clients> clients_{}; ///< outlive the line
     std::optional<open_line> line_{};
     exchange_counts counts_{};

@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|overtaken|repeated|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|overtaken|repeated|pulled|replaced|many
 """
 import json
 import os
@@ -11,7 +11,7 @@ import subprocess
 import threading
 import time
 
-from stand import (LIMIT, SITE, Broker, Client, Folder, Gateway, Simulator, Units, a_line, a_meter, flows, meter, runs, soon,
+from stand import (LIMIT, METER, SITE, Broker, Client, Folder, Gateway, Simulator, Units, a_line, a_meter, flows, meter, runs, soon,
                    states, text_of, with_crc)
 
 SOON = 3  # s, in which each change is said
@@ -160,13 +160,35 @@ class OneLate(Units):
     """Units of which one answers later than the client waits."""
 
     late, delay = None, 0.55
+    identity = None  # (vendor, product) that they say
+
+    def __init__(self, units):
+        super().__init__(units)
+        self.due = []
+
+    def __exit__(self, *how):
+        for each in self.due:  # before the number of its line is another's
+            each.cancel()
+            each.join()
+        super().__exit__(*how)
 
     def answer(self, request):
         found = super().answer(request)
+        if self.identity and request[1] == 43:
+            objects = b"".join(bytes([i, len(each)]) + each for i, each in enumerate((*self.identity, b"1.0")))
+            found = bytes([request[0], 43, 14, 1, 1, 0, 0, 3]) + objects
         if found and request[0] == self.late:
-            threading.Timer(self.delay, self.say, [with_crc(found)]).start()
+            self.due.append(threading.Timer(self.delay, self.say, [with_crc(found)]))
+            self.due[-1].start()
             return None
         return found
+
+
+def turns_between(requests, one, other):
+    """How often `other` was asked behind a request of `one`, and how often `one` itself something else."""
+    order = [each for each, after in zip(requests, requests[1:]) if each != after]
+    behind = [after[0] for each, after in zip(order, order[1:]) if each[0] == one]
+    return behind.count(other), behind.count(one)
 
 
 def divided(check, program, _):
@@ -179,14 +201,34 @@ def divided(check, program, _):
             line.late, since, before = 3, time.time(), len(line.requests)
             check(soon(lambda: len(line.requests) > before + 60, LIMIT), "it goes on")
             order = [request[:2] for _, request in line.requests[before:]]
-            order = [each for each, after in zip(order, order[1:]) if each != after]
-            behind = [after[0] for each, after in zip(order, order[1:]) if each[0] == 3]
-            check(behind.count(4) > 3 * behind.count(3), "each of its requests is a turn", order)
+            other, itself = turns_between(order, 3, 4)
+            check(other > 3 * itself, "each of its requests is a turn", order)
             for name in names:
                 told = [each.values[name].get("value") for each in states(client, since=since) if name in each.values]
                 check(len([each for each in told if each is not None]) > 3, f"{name} comes", told)
             said = [each.payload for each in client.of(f"{SITE}/line1/meter/availability") if each.arrived >= since]
             check(not said, "and it is there", said)
+
+
+def met(check, program, _):
+    """A device whose responses come too late from the start on: what it is asked until its values count, each time where it says who
+    it is, is no stretch, either."""
+    for identity in (None, (b"Maker", b"Meter")):
+        with Folder() as folder, Broker(folder) as broker, OneLate({3: meter(), 4: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+            line.late, line.identity = 3, identity
+            (folder / "late.toml").write_text(('[device]\nvendor = "Maker"\nproduct = "Meter"\n' if identity else "") + METER, encoding="utf-8")
+            devices = [a_meter(registers=["voltage"], file="late.toml"), a_meter("other", 4, registers=["voltage"], every=0.2)]
+            with Gateway(program, folder, text_of(broker.port, [a_line(line.name, *devices, timeout=0.5)])):
+                check(flows(client), "values of the late one come")
+                asked = [each for _, each in line.requests]
+                other, itself = turns_between(asked, 3, 4)
+                check(other > 3 * itself, "each of the requests by which it is met is a turn", asked)
+                since, before = time.time(), len(line.requests)
+                check(flows(client, count=3), "and go on")
+                other, itself = turns_between([each for _, each in line.requests[before:]], 3, 4)
+                check(other > 3 * itself, "and so each later one", line.requests[before:])
+                told = [each.values["voltage"]["value"] for each in states(client, since=since)]
+                check(set(told) == {230.1}, "each is its own", told)
 
 
 class Overtaking(Units):
@@ -401,7 +443,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "overtaken": overtaken, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
+    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "overtaken": overtaken, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
     parts[part](check, program, tool, *more)
 
 

@@ -122,6 +122,39 @@ void open_line::let_pass(std::chrono::microseconds time)
     }
 }
 
+void open_line::begin_turn(earlier_turns* of)
+{
+    turns_ = of;
+    if (of != nullptr) {
+        of->next_ = 0;
+        of->has_asked_ = false;
+    }
+}
+
+earlier_turns::ending const* open_line::asked_before()
+{
+    if (turns_ == nullptr) {
+        return nullptr;
+    }
+    if (turns_->next_ < turns_->endings_.size()) {
+        return &turns_->endings_[turns_->next_++];
+    }
+    if (turns_->is_slow_ and turns_->has_asked_) {
+        throw turn_is_over{};
+    }
+    return nullptr;
+}
+
+void open_line::keep_for_later_turns(rtuwire::errc outcome, unsigned long sendings,
+                                     std::chrono::duration<double, std::milli> took)
+{
+    turns_->endings_.push_back({outcome, outcome == rtuwire::errc::none ? response_ : std::vector<std::byte>{}});
+    turns_->next_ = turns_->endings_.size();
+    turns_->has_asked_ = true;
+    bool const was_missed = took >= rtuwire::to_chrono(options_.response_timeout);
+    turns_->is_slow_ = turns_->is_slow_ or (sendings > 1 and was_missed);
+}
+
 void open_line::note(rtuwire::errc outcome, std::chrono::duration<double, std::milli> took)
 {
     if (counts_ == nullptr) {

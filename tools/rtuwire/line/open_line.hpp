@@ -4,6 +4,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +46,26 @@ public:
 /// The port that the choices name; refuses one that is none. Nothing is sent.
 any_port open_port(line_choices const& chosen, line_setting const& how);
 
+/// How far what asks a unit several things has come, in turns between those of others.
+class earlier_turns {
+public:
+    /// The next turn begins it anew.
+    void begin_anew() { *this = {}; }
+
+private:
+    friend class open_line;
+
+    struct ending {
+        rtuwire::errc why;
+        std::vector<std::byte> response; ///< its PDU
+    };
+
+    std::vector<ending> endings_{}; ///< of what was asked, in its order
+    std::size_t next_{0};           ///< that is told again in this turn
+    bool has_asked_{false};         ///< in this turn
+    bool is_slow_{false};           ///< some response did not come at once
+};
+
 /// Opens the port and listens before anything is sent, as the choices say: a line in use is refused, with who is
 /// talking. Says what a request does to a drive's supervision.
 class open_line {
@@ -82,14 +104,35 @@ public:
     template <typename Request>
     rtuwire::result<typename Request::response> ask(unit_address const& to, Request const& request)
     {
-        return noted([&] { return ask_at(to, request); });
+        return asked<Request>([&] { return ask_at(to, request); });
     }
     /// The same of a unit of whom nobody expects a response: sent once, at once. What it says may be the answer to something before;
     /// it responds in any case.
     template <typename Request>
     rtuwire::result<typename Request::response> ask_once(rtuwire::unit_id to, Request const& request)
     {
-        return noted([&] { return answer_to<Request>(request_once<Request>{to, request}); });
+        return asked<Request>([&] { return answer_to<Request>(request_once<Request>{to, request}); });
+    }
+
+    /// Runs what asks a unit several things for one turn between those of others: up to the first response that does not come
+    /// at once, and from there on each request is a turn. It runs from its begin each time, and what it asked in earlier turns
+    /// ends as it did then. Nothing where the rest is for later turns.
+    template <typename Questions>
+    auto ask_on(earlier_turns& so_far, Questions questions) -> std::optional<decltype(questions())>
+    {
+        begin_turn(&so_far);
+        try {
+            auto found = questions();
+            begin_turn(nullptr);
+            so_far.begin_anew();
+            return found;
+        } catch (turn_is_over const&) {
+            begin_turn(nullptr);
+            return std::nullopt;
+        } catch (...) {
+            begin_turn(nullptr);
+            throw;
+        }
     }
 
     /// What comes in so long a time, or earlier, answers nothing that is waited for; it may be owed. Ends where the port fails.
@@ -106,13 +149,33 @@ public:
     rtuwire::byte_view refused() const;
 
 private:
-    template <typename Ask> auto noted(Ask ask)
+    struct turn_is_over {};
+
+    template <typename Request, typename Ask> rtuwire::result<typename Request::response> asked(Ask ask)
     {
+        if (auto const* const before = asked_before()) {
+            response_ = before->response;
+            if (before->why != rtuwire::errc::none) {
+                return before->why;
+            }
+            return rtuwire::response{response_}.template to<Request>();
+        }
+        auto const sent = exchange_.sent();
         auto const began = std::chrono::steady_clock::now();
         auto outcome = ask();
-        note(outcome.error(), std::chrono::steady_clock::now() - began);
+        std::chrono::duration<double, std::milli> const took = std::chrono::steady_clock::now() - began;
+        note(outcome.error(), took);
+        if (turns_ != nullptr) {
+            keep_for_later_turns(outcome.error(), exchange_.sent() - sent, took);
+        }
         return outcome;
     }
+    /// Null ends it.
+    void begin_turn(earlier_turns* of);
+    /// How the next request ended in an earlier turn; null where it did not. Throws where it is one for a later turn.
+    earlier_turns::ending const* asked_before();
+    void keep_for_later_turns(rtuwire::errc outcome, unsigned long sendings,
+                              std::chrono::duration<double, std::milli> took);
     template <typename Request>
     rtuwire::result<typename Request::response> ask_at(unit_address const& to, Request const& request)
     {
@@ -142,6 +205,7 @@ private:
     exchange_log exchange_;
     rtuwire::blocking_client<any_port, line_needs>::traced_by<exchange_log> client_;
     exchange_counts* counts_{nullptr};
+    earlier_turns* turns_{nullptr}; ///< of what is asked now
     std::vector<std::byte> response_{};
 };
 

@@ -273,6 +273,12 @@ std::map<std::byte, owed_answers::clock::time_point> owed_answers::functions_owe
     return functions;
 }
 
+bool owed_answers::is_late(std::byte unit) const
+{
+    auto const found = units_.find(unit);
+    return found != units_.end() and found->second.latest > timeout_;
+}
+
 bool owed_answers::owes_registers(unit_record const& of, std::byte function, unsigned count)
 {
     return std::ranges::any_of(of.owed, [&](sending const& each) {
@@ -366,10 +372,9 @@ std::string owed_answers::words_of_silence(option_form form) const
         return {};
     }
     double const latest = unit->second.latest.count();
-    bool const is_late = unit->second.latest > timeout_;
     std::string const not_asked =
         was_asked_ ? "" : "; not asked: a late answer of this unit could be taken for this one";
-    if (not is_late) {
+    if (not is_late(asked_unit_)) {
         return not_asked +
                (was_asked_ ? "" : "; a longer " + option_words(form, line_option::timeout) + " waits for it");
     }

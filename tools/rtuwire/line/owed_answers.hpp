@@ -52,6 +52,9 @@ public:
     /// units are in order. That is until 1.5 s behind the time-out, or 0.5 s later than its latest.
     [[nodiscard]] std::map<std::byte, clock::time_point> functions_owed(std::byte unit) const;
 
+    /// Whether an answer of this unit came later than anybody waited for it, the last time that one did not come in time.
+    [[nodiscard]] bool is_late(std::byte unit) const;
+
     /// A request that only reads, by another function where there is one that the unit may answer; by the same one for
     /// another number of registers.
     [[nodiscard]] frame_bytes mark_for(rtuwire::byte_view question);
