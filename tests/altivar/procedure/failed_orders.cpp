@@ -3,6 +3,8 @@
 // How an order ends that a simulated drive does not carry out: too slow, fallen back, stopped by its key, or given up.
 #include <rtuwire/altivar/procedure/outcome.hpp>
 
+#include <utility>
+
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
 #include "support/drives.hpp"
@@ -12,7 +14,10 @@
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/commissioning/channel.hpp>
+#include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
+#include <rtuwire/altivar/procedure/commissioning/recall_from_eeprom.hpp>
 #include <rtuwire/altivar/procedure/commissioning/release_link.hpp>
+#include <rtuwire/altivar/procedure/commissioning/restore_factory_settings.hpp>
 #include <rtuwire/altivar/procedure/motion/change_reference.hpp>
 #include <rtuwire/altivar/procedure/motion/direct_control.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
@@ -173,6 +178,41 @@ TEST_CASE("a start that checks its drive anew behind a lost response at its limi
         CHECK((why.kind == outcome_kind::state_timeout or why.error == errc::timed_out));
     }
     CHECK(given_up > 10);
+}
+
+TEST_CASE("a limit that is over though each request was answered names no response that was missing")
+{
+    unsigned given_up = 0, unconfirmed = 0;
+    auto const ends_so = [&](auto of, auto&& make) {
+        for (std::uint32_t limit_ms = 0; limit_ms < 400; limit_ms += 13) {
+            pair<decltype(of)> it;
+            std::uint64_t requests = 0, responses = 0;
+            it.disturb([&](test::frame_bytes&, bool is_request) { ++(is_request ? requests : responses); });
+            reason const why = it.end_of(make(milliseconds(limit_ms)));
+            // Behind an order in CMI, which is answered, the drive is silent: the write that clears it has nothing to say.
+            CHECK((requests == responses or why.kind == outcome_kind::executed_unconfirmed));
+            CHECK(why.error == errc::none);
+            given_up += why.kind == outcome_kind::aborted ? 1 : 0;
+            unconfirmed += why.kind == outcome_kind::executed_unconfirmed ? 1 : 0;
+        }
+        CHECK(std::exchange(given_up, 0) > 0);
+    };
+    using later = atv320::device;
+    using old = atv28::device;
+    ends_so(later{}, [](duration limit) {
+        return set_channel{pair<later>::drive, channel_settings<later>::by_modbus(), {}, limit};
+    });
+    ends_so(old{}, [](duration limit) { return atv28::release_link{pair<old>::drive, {}, limit}; });
+    ends_so(later{}, [](duration limit) {
+        return configure_scanner<scanner_inputs<atv320::eta>, scanner_outputs<atv320::cmd>>{pair<later>::drive, limit};
+    });
+    CHECK(unconfirmed == 0);
+    ends_so(old{}, [](duration limit) { return recall_from_eeprom{pair<old>::drive, {}, limit}; });
+    CHECK(std::exchange(unconfirmed, 0) > 0);
+    ends_so(later{}, [](duration limit) {
+        return restore_factory_settings{pair<later>::drive, losing_control_and_address{}, {}, limit};
+    });
+    CHECK(unconfirmed > 0);
 }
 
 TEST_CASE("a drive that another master brings down ends an order as fell_back")

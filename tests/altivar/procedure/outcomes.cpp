@@ -244,7 +244,7 @@ TEST_CASE("at their limits all end, and none leaves a command behind")
     by_hand<scanned> hasty{scanned{drive, milliseconds(0)}};
     CHECK_FALSE(hasty.asks());
     CHECK(hasty.conversation.reason().kind == outcome_kind::aborted);
-    CHECK(hasty.conversation.reason().error == errc::timed_out);
+    CHECK(hasty.conversation.reason().error == errc::none); // nothing was asked
 }
 
 TEST_CASE("a script that wishes on after its limit gets one request, and no pause")

@@ -125,7 +125,7 @@ public:
         case event::kind::failed: return go_without(what.error());
         case event::kind::late: break;
         }
-        return close({outcome_kind::aborted, errc::timed_out});
+        return close({outcome_kind::aborted});
     }
 
     /// The register that the outcome is about, and its value.

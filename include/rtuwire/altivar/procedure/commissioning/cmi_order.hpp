@@ -144,9 +144,9 @@ private:
     constexpr action end_late() noexcept
     {
         if (stage_ == stage::reading_control or stage_ == stage::ordering) {
-            return end(outcome_kind::aborted, errc::timed_out); // the order was not sent
+            return end(outcome_kind::aborted); // the order was not sent
         }
-        return undo(outcome_kind::executed_unconfirmed, errc::timed_out);
+        return undo(outcome_kind::executed_unconfirmed, error_);
     }
 
     /// Ends, but not with the order in CMI. The first outcome counts.

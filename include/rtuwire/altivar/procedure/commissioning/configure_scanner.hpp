@@ -69,7 +69,7 @@ public:
         case event::kind::late:
         case event::kind::pause_over: break;
         }
-        return end(outcome_kind::aborted, errc::timed_out);
+        return end(outcome_kind::aborted);
     }
 
 private:

@@ -99,7 +99,7 @@ private:
         if (so_.kind == outcome_kind::succeeded) {
             bool const is_late = what.what() == event::kind::late;
             so_.kind = is_late ? outcome_kind::aborted : kind_for(what.error());
-            so_.error = is_late ? errc::timed_out : what.error();
+            so_.error = what.error();
         }
         return cut();
     }

@@ -67,7 +67,7 @@ public:
         case event::kind::begun:
         case event::kind::late: break;
         }
-        return look_last(stage::closing, {outcome_kind::aborted, errc::timed_out});
+        return look_last(stage::closing, {outcome_kind::aborted});
     }
 
 private:

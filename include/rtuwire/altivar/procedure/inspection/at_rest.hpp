@@ -71,7 +71,7 @@ public:
         case event::kind::pause_over:
         case event::kind::late: break;
         }
-        return asked_ == asked::fault ? end_in_fault(0) : end(outcome_kind::aborted, errc::timed_out);
+        return asked_ == asked::fault ? end_in_fault(0) : end(outcome_kind::aborted);
     }
 
     /// The register that was read last, and its value.
