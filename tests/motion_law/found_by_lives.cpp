@@ -718,3 +718,44 @@ TEST_CASE("motion law: L4 a broadcast restarts the silence of a lost unit, also 
     CHECK_FALSE(was_asked);
     CHECK_FALSE(it.has_power());
 }
+
+/// A motor is polled all the time; a stop of the other drive alone, which broadcasts nothing, begins while it answers.
+template <typename Poll, typename Hall> void stop_the_other(Hall& it, Poll poll, duration visits)
+{
+    std::size_t const before = it.requests();
+    while (it.requests() == before) {
+        it.step(poll, milliseconds(1));
+    }
+    broadcast_stop all{broadcast_stop_options{.left_out = 8'501}, it.other};
+    auto const work = [&](instant at) {
+        it.link().converse(all, at);
+        poll(at);
+    };
+    it.run(
+        work, [&] { return all.settled(); }, visits);
+}
+
+TEST_CASE("motion law: L4 reads keep no motor running that a stop of others left, also where it answered meanwhile")
+{
+    using device = atv320::device;
+    for (bool const is_given_up : {false, true}) {
+        INFO("given up " << is_given_up);
+        hall<device> it;
+        start go{it.motor, 40_Hz};
+        REQUIRE(it.run(go));
+        single_request look{it.motor.unit(), read_holding_registers{3'201, 1}};
+        auto const poll = [&](instant at) {
+            if (look.settled()) {
+                look.again();
+            }
+            it.link().converse(look, at);
+        };
+        stop_the_other(it, poll, is_given_up ? microseconds(10) : milliseconds(5'000));
+        if (is_given_up) {
+            it.link().release_all();
+        }
+        CHECK_FALSE(go.running());           // the order is over
+        it.pass(poll, milliseconds(20'000)); // the drive's time-out is 10 s
+        CHECK_FALSE(it.has_power());
+    }
+}

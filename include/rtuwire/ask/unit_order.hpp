@@ -184,7 +184,6 @@ struct unit_order : unit_marks, unit_stamps {
         heard = asked;
         on_line = until;
         misses = 0;
-        is_lost = false;
     }
 
     // The stop that holds it.

@@ -69,6 +69,7 @@ public:
         count_ = newer_of(count_, original.count_);
         all_ = original.all_;
         is_by_commander_ = original.is_by_commander_;
+        is_stop_asked_ = original.is_stop_asked_;
         is_cut_ = original.is_cut_;
         asked_ = original.asked_;
         wake_ = original.wake_;
@@ -177,6 +178,7 @@ public:
     constexpr void note_asked(commander& who, effect what, duration drive_timeout, std::uint8_t tolerated) noexcept
     {
         is_by_commander_ = true;
+        is_stop_asked_ = what == effect::stopping;
         switch (what) {
         case effect::enabling:
         case effect::resetting: return note_enabling(who, drive_timeout, tolerated);
@@ -304,6 +306,8 @@ public:
                 heed_gap(*own, now, false);
             }
             own->note_answer(asked_, was_repeated ? now : asked_);
+            // What was asked before the loss tells nothing of whether the unit is being stopped.
+            own->is_lost = own->is_lost and not is_stop_asked_;
             if (own->answers_left != 0 and own->was_last_answer(is_by_commander_)) {
                 own->lose(now, count_);
             }
@@ -325,6 +329,7 @@ public:
     {
         asked_ = now;
         is_by_commander_ = false;
+        is_stop_asked_ = false;
         is_cut_ = false;
     }
 
@@ -589,6 +594,7 @@ private:
     std::uint32_t stopped_all_{0}; ///< the stamp of the last stop of all units
     [[no_unique_address]] stop_of_all all_{};
     bool is_by_commander_{false}; ///< the last request
+    bool is_stop_asked_{false};   ///< the last request stops a unit
     bool is_cut_{false};          ///< a stop cut it short
     instant asked_{0};            ///< when the last request was taken, to any unit
     deadline wake_{};
