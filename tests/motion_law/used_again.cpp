@@ -198,6 +198,28 @@ TEST_CASE("motion law: L2 a start that was begun anew before a stop, and comes b
     });
 }
 
+TEST_CASE("motion law: L2 a start that was begun anew more than once before a stop moves nothing behind it")
+{
+    everywhere([]<typename Link, typename Device>() {
+        for (unsigned times = 1; times <= 3; ++times) {
+            INFO("begun anew " << times << " times");
+            plant<Link, Device> it;
+            start go{it.drive, 30_Hz};
+            it.run_anew(go);
+            REQUIRE(go.succeeded());
+            for (unsigned i = 0; i < times; ++i) {
+                go.again(); // its user stays away
+            }
+            stop rest{it.drive};
+            it.run_anew(rest);
+            REQUIRE_FALSE(it.has_power());
+            it.run([&](instant now) { it.visit(go, now); }, [&] { return go.settled(); }, milliseconds(5'000));
+            CHECK(go.reason().kind == outcome_kind::overruled);
+            CHECK_FALSE(it.has_power());
+        }
+    });
+}
+
 TEST_CASE("motion law: L2 a start that a blocking client runs again asks nothing of the client that it outlived")
 {
     test::all_drives::for_each([]<typename Device>() {

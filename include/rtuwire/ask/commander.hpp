@@ -72,6 +72,7 @@ public:
         known_ = {};
         counted_by_ = {};
         seen_ = {};
+        ordered_behind_ = {};
     }
 
     /// Whether its user has ordered a stop since its last visit.
@@ -90,9 +91,10 @@ protected:
     {
         replace(former);
         counted_by_ = former.counted_by_;
-        ordered_behind_ = former.seen_;
-        if (former.known_ != nullptr) {
-            ordered_behind_ = newer_of(newer_of(ordered_behind_, former.known_->last_stop), former.known_->last_fault);
+        known_ = former.known_;
+        ordered_behind_ = newer_of(former.seen_, former.ordered_behind_);
+        if (known_ != nullptr) {
+            ordered_behind_ = newer_of(newer_of(ordered_behind_, known_->last_stop), known_->last_fault);
         }
     }
 
