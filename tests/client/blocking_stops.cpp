@@ -221,6 +221,31 @@ TEST_CASE("one write that stalls or fails ends no stop")
     }
 }
 
+TEST_CASE("one write that fails ends no stop whose program was stopped for longer than its limit")
+{
+    for (unsigned call = 1; call <= 8; ++call) {
+        INFO("its program was stopped in call " << call);
+        running it;
+        it.port.bad_writes = 1;
+        it.port.calls_to_stop = call;
+        it.port.stop = milliseconds(3'000); // the drive's time-out is 10 s
+        static_cast<void>(it.line.run(altivar::stop{drive, stop_by::ramp, milliseconds(2'000)}));
+        CHECK(it.port.commands(0x0000) + it.port.commands(0x0007) != 0);
+        CHECK_FALSE(it.port.has_power());
+    }
+}
+
+TEST_CASE("one write that stalls or fails ends no broadcast that frees")
+{
+    for (errc const why : {errc::transmit_stalled, errc::device_failed}) {
+        running it;
+        it.port.why = why;
+        it.port.bad_writes = 1;
+        static_cast<void>(it.line.run(altivar::broadcast_freewheel<device>()));
+        CHECK(it.port.says());
+    }
+}
+
 TEST_CASE("a stop ends by its limit where no write is taken, whatever the response time-out, and tells that")
 {
     for (duration const timeout : {milliseconds(100), milliseconds(1'000), milliseconds(30 * 60'000)}) {

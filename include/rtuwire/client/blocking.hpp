@@ -223,7 +223,8 @@ private:
 
     /// Until it is settled; or `used_already`, or the error of the port. Where it has to stop, the port's reads end nothing
     /// before the word that stops has left, or 1 s in which it was not written, without what the program was stopped for: so
-    /// much is sent even where nothing can be read. Nor does a write that fails, but for a device that is gone.
+    /// much is sent even where nothing can be read. Nor does a write that fails, but for a device that is gone: one that has
+    /// ended by that begins anew for 1 s, of which the program's stops count a third at most.
     template <conversation Conversation> errc run_to_end(Conversation& conversation)
     {
         static_assert(not detail::endless_conversation<Conversation>,
@@ -233,11 +234,18 @@ private:
         }
         auto passed = drop_stale_input();
         bool has_to_say = has_to_stop(conversation) and passed != errc::bus_jam;
+        bool has_failed = false; // a write
+        duration awake{};
         instant seen = port_.now();
+        auto const is_written_again = [&] {
+            return has_to_say and has_failed and awake < longest_wait and detail::begins_anew(conversation);
+        };
         duration spent{};
         while (passed or (has_to_say and spent < longest_wait)) {
             instant const now = port_.now();
-            spent = spent + part_of(longest_wait, now - std::exchange(seen, now));
+            duration const passed_by = now - std::exchange(seen, now);
+            spent = spent + part_of(longest_wait, passed_by);
+            awake = awake + (passed_by < most_of_a_pass ? passed_by : most_of_a_pass);
             client_.advance(now);
             client_.converse(conversation, now);
             if (conversation.settled() and not client_.is_asked_by(conversation)) {
@@ -247,6 +255,9 @@ private:
                         conversation.again();
                         continue;
                     }
+                }
+                if (is_written_again()) {
+                    continue;
                 }
                 return errc::none; // one visit more would take its outcome back
             }
@@ -267,7 +278,8 @@ private:
                 sent ? has_to_say and has_left : has_to_stop(conversation) and is_passing(sent.error());
             if (not passed and goes_on) {
                 fail(conversation, passed.error());
-                if (conversation.settled()) {
+                has_failed = has_failed or not sent;
+                if (conversation.settled() and not is_written_again()) {
                     return errc::none;
                 }
                 if (not sent) {
@@ -417,6 +429,8 @@ private:
 
     /// How long to wait for a conversation that pauses and gives no deadline.
     static constexpr duration longest_pause = milliseconds(10);
+    /// What one pass counts at most of the time in which a stop is written again.
+    static constexpr duration most_of_a_pass = milliseconds(334);
     /// How long to wait for bytes before the next pass, where the client has no earlier deadline.
     static constexpr duration longest_wait = milliseconds(1'000);
 
