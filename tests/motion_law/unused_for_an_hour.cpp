@@ -232,3 +232,25 @@ TEST_CASE("motion law: L15 a start that failed behind such a stop leaves no moto
     }
     CHECK(failed > 0);
 }
+
+TEST_CASE("motion law: L4 reads keep no motor running behind a second start that ended while its program was stopped")
+{
+    drive_port port;
+    blocking_client line{port, timing, {.response_timeout = milliseconds(100), .retries = 1}};
+    start first{motor, 30_Hz};
+    static_cast<void>(line.run(first));
+    REQUIRE(first.running());
+    port.pass(8'000'000);
+    port.stopped =
+        5'000'000; // before its first response: longer than its limit, less than the drive's time-out of 10 s
+    start second{motor, 20_Hz};
+    CHECK(line.run(second).kind == outcome_kind::aborted);
+    REQUIRE(cia402::has_power(port.unit.drive().state_machine().state()));
+    CHECK_FALSE(first.running());
+    CHECK_FALSE(second.running());
+    for (unsigned i = 0; i < 60; ++i) {
+        static_cast<void>(line.ask(motor.unit(), read_holding_registers{device::layout.eta, 1}));
+        port.pass(500'000);
+    }
+    CHECK_FALSE(cia402::has_power(port.unit.drive().state_machine().state()));
+}

@@ -373,9 +373,9 @@ public:
         for (unit_order& each : places_) {
             each.let_go_if_over();
             bool const is_under_way = is_asked and (asked == each.unit or asked == 0);
+            each.on_line = is_under_way ? now : each.on_line; // it may feed a motor that runs
             heed_gap(each, now, is_under_way);
             each.heed_absence(is_all_left, now);
-            each.on_line = is_under_way ? now : each.on_line;
             is_over = each.end_silence(now) or is_over;
         }
         return is_over;
