@@ -387,7 +387,7 @@ def check_echo(tool, check):
             return request
 
     ramp = ["-d", "atv320", "--write", "--allow-run", "06", "23290003"]  # limits are read first: the client knows the echo then
-    for units, words, status, says in (({}, ["08", "00001234"], DIFFERS, "echoes"), ({}, ramp, NO_ANSWER, "no response"),
+    for units, words, status, says in (({}, ["08", "00001234"], DIFFERS, "echoes"), ({}, ramp, NO_ANSWER, "; the line echoes (say --echo"),
                                        ({7: {}}, ["08", "00001234"], DIFFERS, ""),
                                        ({7: {9001: 30, 9020: 1, 3201: 0}}, ramp, DONE, "")):
         *beside, function, data = words

@@ -29,21 +29,26 @@ OWN = {"gateway": {"--check", "--write", "--json", "--version", "--help"}}
 NOT_OF_SERVE = {"-u", "--unit", "-d", "--drive", "--device", "--any-unit", "--allow-run"}
 UNIT = 7
 WHOLE = 4  # answers: who it is, and first values
+STATUS = 3201  # the register of a drive's status word
 LIMIT = 20  # s, for what has to come
 
 
 class Disturbed(PlainUnits):
-    """A unit whose answers are `late`, or as they should be until the line is spoilt: then behind `noise`, or in their place an `echo`."""
+    """A unit whose answers are `late`, or as they should be until so many of them were `whole`: then behind `noise`, or in their place an
+    `echo`, or with another CRC. Where it `may_be_drive`, this holds of what tells that it is none, and of nothing else."""
 
-    def __init__(self, noise=b"", late=0, echo=False):
-        super().__init__(UNIT)
-        self.noise, self.late, self.echo, self.said = noise, late, echo, 0
+    def __init__(self, noise=b"", late=0, echo=False, crc=False, whole=WHOLE, may_be_drive=False):
+        super().__init__(UNIT, nameless=(UNIT,) if may_be_drive else ())
+        self.noise, self.late, self.echo, self.crc, self.whole, self.said = noise, late, echo, crc, whole, 0
+        self.may_be_drive = may_be_drive
 
     def say(self, data):
         self.said += 1
-        is_spoilt = self.said > WHOLE
+        is_spoilt = int.from_bytes(self.requests[-1][2:4], "big") == STATUS if self.may_be_drive else self.said > self.whole
         time.sleep(self.late)
-        super().say(self.requests[-1] if is_spoilt and self.echo else (self.noise if is_spoilt else b"") + data)
+        if is_spoilt:
+            data = self.requests[-1] if self.echo else self.noise + data[:-1] + bytes([data[-1] ^ self.crc])
+        super().say(data)
 
 
 class Talking(Line):
@@ -108,6 +113,8 @@ def at(port):
     yield port
 
 
+ECHOES = ("line1: meter: no response in time; not asked: a late answer of this unit could be taken for this one; a longer timeout waits for it; "
+          "the line echoes (say echo = ")
 # What is wrong with a line; how it is set; what each of both programs says of it, and may not say.
 CASES = (
     ("nobody at this address", lambda: at(f"sim:atv320:{UNIT + 1}"), {}, f"no unit {UNIT}, only {UNIT + 1}: say unit = {UNIT + 1}",
@@ -120,6 +127,14 @@ CASES = (
     ("late answers over Modbus TCP", lambda: on(Server(late=0.5)), {"timeout": 0.1}, " s: say timeout = ", None),
     ("another unit over Modbus TCP", lambda: on(Server(unit=255)), {}, "came of unit 255 and was dropped", None),
     ("no serial device", lambda: at("tcp://127.0.0.1:1"), {"rs485": True}, "rs485: tcp://127.0.0.1:1 is no serial device", "--rs485: tcp://"),
+    ("an echo from the beginning", lambda: on(Disturbed(echo=True, whole=0)), {}, ECHOES, None),
+    ("noise from the beginning", lambda: on(Disturbed(noise=b"\xFF\xFE", whole=0)), {}, "line1: meter: CRC mismatch: 9 bytes came: FF FE ", None),
+    ("a wrong CRC from the beginning", lambda: on(Disturbed(crc=True, whole=0)), {}, "line1: meter: CRC mismatch: ", None),
+    ("an echo later", lambda: on(Disturbed(echo=True)), {}, ECHOES, None),
+    ("noise later", lambda: on(Disturbed(noise=b"\xFF\xFE")), {}, "line1: meter: CRC mismatch: 9 bytes came: FF FE ", None),
+    ("a wrong CRC later", lambda: on(Disturbed(crc=True)), {}, "line1: meter: CRC mismatch: ", None),
+    ("noise where it would tell that it is no drive", lambda: on(Disturbed(noise=b"\xFF\xFE", may_be_drive=True)), {},
+     "line1: meter: CRC mismatch: 7 bytes came: FF FE ", None),
 )
 
 

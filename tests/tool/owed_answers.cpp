@@ -79,6 +79,35 @@ TEST_CASE("owed: behind an answer that was taken for lost nobody knows what is o
     }
 }
 
+TEST_CASE("owed: a request that is not sent ends as what came in the place of its marks, where that was no frame")
+{
+    struct conversation {
+        std::vector<errc>* outcomes;
+
+        std::optional<request_frame> next() { return request_frame{fast, repetition::never}; }
+        void accept(result<response> const& outcome) { outcomes->push_back(outcome.error()); }
+    };
+    for (errc const heard : {errc::timed_out, errc::line_echo, errc::crc_mismatch, errc::frame_too_short,
+                             errc::response_mismatch, errc::wrong_function}) {
+        for (std::size_t const at : {0U, 2U}) {
+            CAPTURE(heard, at);
+            line on;
+            on.asks(slow);
+            std::vector<errc> outcomes;
+            tool::in_step<conversation> asked{on.owed, {&outcomes}, 3};
+            for (unsigned each = 0; each < 2; ++each) { // the second one heard nothing
+                for (std::size_t i = 0; i < 3; ++i) {
+                    REQUIRE(outcomes.size() == each);
+                    REQUIRE_FALSE(std::ranges::equal(asked.next()->frame(), fast));
+                    asked.accept(i == at and each == 0 ? heard : errc::timed_out);
+                }
+            }
+            bool const is_reason = heard != errc::response_mismatch and heard != errc::wrong_function;
+            CHECK(outcomes == std::vector<errc>{is_reason ? heard : errc::timed_out, errc::timed_out});
+        }
+    }
+}
+
 TEST_CASE("owed: answers that came in one lump are taken one by one")
 {
     line on;

@@ -33,6 +33,9 @@ bool is_silence(errc why)
            why == errc::gateway_target_failed_to_respond;
 }
 
+/// Nobody is heard who could be asked on.
+bool is_unheard(errc why) { return is_silence(why) or is_damage(why); }
+
 /// What came is no response of the unit: nothing, or something damaged.
 bool is_no_response(errc why) { return why != errc::none and not is_refusal_of_unit(why); }
 
@@ -226,8 +229,11 @@ void opened_line::keep_turn(std::size_t device)
     }
 }
 
-std::string opened_line::why_wrong(device_plan const& device)
+device_finding opened_line::who_answers(device_plan const& device)
 {
+    auto const found = [](std::string why) {
+        return why.empty() ? device_finding{} : device_finding{device_finding::kind::wrong, std::move(why)};
+    };
     unit_address const unit = device.unit.unit;
     // Most meters say nothing to function 43: one that need not say who it is costs one time-out.
     std::optional<errc> silence;
@@ -245,22 +251,27 @@ std::string opened_line::why_wrong(device_plan const& device)
         "unit " + std::to_string(unit.byte()) + " calls itself '" + who.vendor + ' ' + who.product + '\'';
     if (device.drive != nullptr) {
         bool const is_other = who.is_another or is_of_another_family(who, *device.drive);
-        return is_other
-                   ? (who.product.empty() ? "unit " + std::to_string(unit.byte()) +
-                                                (who.drive.empty() ? " is none of these drives" : " is an " + who.drive)
-                                          : says) +
-                         ", and the file says that it is an " + device.unit.drive
-                   : std::string{};
+        return found(is_other ? (who.product.empty()
+                                     ? "unit " + std::to_string(unit.byte()) +
+                                           (who.drive.empty() ? " is none of these drives" : " is an " + who.drive)
+                                     : says) +
+                                    ", and the file says that it is an " + device.unit.drive
+                              : std::string{});
     }
-    bool const may_be_drive = not who.drive.empty() or who.may_be_drive or may_be_unnamed_drive(*line_, unit, who);
-    if (may_be_drive and not device.feeds_supervision) {
-        return (who.product.empty() ? "unit " + std::to_string(unit.byte()) : says) +
-               (who.drive.empty() ? " and may be a drive" : " and is an " + who.drive) +
-               ": reading it feeds its supervision of the line, which the file does not say: drive = \"...\" and "
-               "feeds_supervision = true";
+    bool const is_drive = not who.drive.empty() or who.may_be_drive;
+    unnamed_drive const unnamed = is_drive ? unnamed_drive{} : look_for_unnamed_drive(*line_, unit, who);
+    if (is_damage(unnamed.open)) {
+        return {device_finding::kind::silent, line_->words_of_failure(unnamed.open)};
+    }
+    if ((is_drive or unnamed.may_be_one) and not device.feeds_supervision) {
+        return found((who.product.empty() ? "unit " + std::to_string(unit.byte()) : says + " and") +
+                     (who.drive.empty() ? " may be a drive" : " is an " + who.drive) +
+                     (unnamed.open == errc::none ? "" : ", which stays open because of " + words_of(unnamed.open)) +
+                     ": reading it feeds its supervision of the line, which the file does not say: drive = \"...\" and "
+                     "feeds_supervision = true");
     }
     bool const is_said = not device.names->vendor.empty() and not who.product.empty();
-    return is_said ? why_another_device(unit, who, device.names->vendor, device.names->product) : std::string{};
+    return found(is_said ? why_another_device(unit, who, device.names->vendor, device.names->product) : std::string{});
 }
 
 device_finding opened_line::look_at(device_plan const& device, bool is_known_silent)
@@ -271,11 +282,7 @@ device_finding opened_line::look_at(device_plan const& device, bool is_known_sil
     if (status_of(first.why) == exit_status::port) {
         throw ended{exit_status::port, line_->port().failure()};
     }
-    if (is_silence(first.why)) {
-        return {device_finding::kind::silent, first.failure};
-    }
-    std::string const why = why_wrong(device);
-    return why.empty() ? device_finding{} : device_finding{device_finding::kind::wrong, why};
+    return is_unheard(first.why) ? device_finding{device_finding::kind::silent, first.failure} : who_answers(device);
 }
 
 device_finding opened_line::identify(std::size_t which, bool is_known_silent)

@@ -67,8 +67,8 @@ private:
     /// While what a device owes may come, clients ask it nothing of which that could be taken for the answer.
     void hold_clients(device_plan const& device);
     void note_outcome(device_plan const& device, bool has_responded);
-    /// Why what answers there is not what the file says; empty where it is.
-    std::string why_wrong(device_plan const& device);
+    /// Whether what answers there is what the file says.
+    device_finding who_answers(device_plan const& device);
     setting_outcome send(device_plan const& device, std::vector<value_to_write> const& values,
                          setting_look const& last_look);
     slot_value value_of(device_plan const& device, device_value const& value, register_reader const& from) const;

@@ -183,14 +183,19 @@ std::string open_line::words_of_failure(rtuwire::errc why) const
     if (why == errc::line_echo and is_tcp) {
         return "the request itself came back as its answer: what answers here gives back what it is sent";
     }
+    std::string const no_echo =
+        " (say " + option_words(form_, line_option::echo) + ", or switch the adapter's receiver off while it sends)";
     if (why == errc::line_echo) {
-        return text + " (say " + option_words(form_, line_option::echo) +
-               ", or switch the adapter's receiver off while it sends)";
+        return text + no_echo;
     }
-    auto const refused = why == errc::timed_out ? std::nullopt : client_.refused();
+    if (why == errc::timed_out) {
+        bool const is_untold = client_.has_seen_echo() and not options_.has_line_echo and not is_tcp;
+        return text + exchange_.owed().words_of_silence(form_) + port_.words_of_silence(form_) +
+               (is_untold ? "; the line echoes" + no_echo : std::string{});
+    }
+    auto const refused = client_.refused();
     if (not refused) {
-        return text + (why == errc::timed_out ? exchange_.owed().words_of_silence(form_) + port_.words_of_silence(form_)
-                                              : std::string{});
+        return text;
     }
     rtuwire::byte_view const bytes = port_.passed(refused->bytes);
     if (why == errc::wrong_length) {

@@ -29,6 +29,14 @@ namespace tool {
 /// So long after the time-out an answer may come yet: until then a unit is asked nothing for which that could be taken.
 inline constexpr std::chrono::milliseconds longest_lateness{1500};
 
+/// Something was heard, and nobody's response: an echo, noise, another bit rate.
+[[nodiscard]] constexpr bool is_damage(rtuwire::errc why)
+{
+    using enum rtuwire::errc;
+    return why == line_echo or why == collision or why == crc_mismatch or why == uart_error or why == frame_too_short or
+           why == frame_too_long;
+}
+
 class owed_answers {
 public:
     using clock = std::chrono::steady_clock;
@@ -178,9 +186,10 @@ public:
         if (outcome.error() == errc::timed_out) {
             owed_.note_unanswered(mark_);
         }
+        heard_ = is_damage(outcome.error()) ? outcome.error() : heard_;
         if (++tried_ >= tries_ and owed_.hides(question_)) {
             tried_ = 0;
-            Conversation::accept(errc::timed_out);
+            Conversation::accept(std::exchange(heard_, errc::timed_out));
         }
     }
 
@@ -190,6 +199,8 @@ private:
     owed_answers::frame_bytes question_{};
     owed_answers::frame_bytes mark_{}; ///< what is asked in its place; empty where nothing is
     unsigned tried_{0};
+    rtuwire::errc heard_{
+        rtuwire::errc::timed_out}; ///< what came in the place of a mark's answer says why there is none
 };
 
 } // namespace tool

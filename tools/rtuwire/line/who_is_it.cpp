@@ -302,14 +302,14 @@ identity_words who_is_it(open_line& line, unit_address unit, std::optional<errc>
     return who;
 }
 
-bool may_be_unnamed_drive(open_line& line, unit_address unit, identity_words const& who)
+unnamed_drive look_for_unnamed_drive(open_line& line, unit_address unit, identity_words const& who)
 {
     bool const was_heard = who.has_answered or who.outcome == exit_status::done;
     if (not who.product.empty() or not was_heard) {
-        return false;
+        return {};
     }
     drive_marks const marks = marks_of_drive(line, unit);
-    return marks.has_all or status_of(marks.open) == exit_status::differs;
+    return {marks.has_all or status_of(marks.open) == exit_status::differs, marks.open};
 }
 
 bool is_of_another_family(identity_words const& who, drive_catalog const& drive)

@@ -50,7 +50,11 @@ drive_catalog const& catalog_of(open_line& line, unit_address unit, std::string 
 
 /// Whether one that is of no known drive may be one all the same: it does not say by function 43 what it is, and has the
 /// status word and the command word of a drive, or does not tell whether it has.
-[[nodiscard]] bool may_be_unnamed_drive(open_line& line, unit_address unit, identity_words const& who);
+struct unnamed_drive {
+    bool may_be_one{false};
+    rtuwire::errc open{rtuwire::errc::none}; ///< why that is not known; none where it is
+};
+[[nodiscard]] unnamed_drive look_for_unnamed_drive(open_line& line, unit_address unit, identity_words const& who);
 
 /// What --drive says of a unit that is no drive, or is not to be asked who it is.
 inline constexpr std::string_view no_drive = "none";

@@ -13,7 +13,7 @@ fed_unit who_is_fed(open_line& line, named_unit const& unit)
     identity_words const who = unit.drive.empty() or unit.drive == no_drive or unit.names != nullptr
                                    ? who_is_it(line, unit.unit)
                                    : identity_words{.drive = unit.drive, .may_be_drive = true};
-    if (who.drive.empty() and not who.may_be_drive and not may_be_unnamed_drive(line, unit.unit, who)) {
+    if (who.drive.empty() and not who.may_be_drive and not look_for_unnamed_drive(line, unit.unit, who).may_be_one) {
         return {};
     }
     return {true, who.drive.empty() ? nullptr : &catalog_chosen(who.drive)};
