@@ -176,8 +176,6 @@ TEST_CASE("serve: who wants a unit that is left alone waits, and nobody else doe
     REQUIRE(queue.add({.client = 2, .number = 2, .unit = 5, .pdu = {std::byte{3}}, .came = begin}));
     REQUIRE(queue.add({.client = 2, .number = 3, .unit = 1, .pdu = {std::byte{3}}, .came = begin}));
     queue.leave_alone(request_of(1, 1), begin + 200ms, begin + 200ms);
-    CHECK(queue.is_left_alone(1, begin + 199ms));
-    CHECK_FALSE(queue.is_left_alone(5, begin));
     REQUIRE(queue.next_turn());
     CHECK(*queue.next_turn() <= begin);
     CHECK(queue.take(begin)->number == 2);
@@ -210,8 +208,6 @@ TEST_CASE("serve: an answer that may come yet is waited for by each request that
         CHECK(queue.is_held(wants(2, 3, 8), begin + 1499ms));
         CHECK(queue.is_held(wants(4, 3, 7), begin + 1499ms)); // another's, of the same registers
         CHECK_FALSE(queue.is_held(wants(2, 3, 8), begin + 1500ms));
-        CHECK(queue.is_left_alone(1, begin + 1499ms));
-        CHECK_FALSE(queue.is_left_alone(1, begin + 1500ms));
         std::vector<std::uint16_t> order;
         for (auto const at : {begin + 199ms, begin + 200ms, begin + 1499ms, begin + 1500ms}) {
             while (auto const next = queue.take(at)) {

@@ -55,8 +55,6 @@ public:
     {
         clients_.leave_alone({.unit = unit, .pdu = {function}}, clock::now(), until);
     }
-    /// Whether an answer to a client, or such a one, may come from this unit yet.
-    bool is_left_alone(std::uint8_t unit) const { return clients_.is_left_alone(unit, clock::now()); }
 
     [[nodiscard]] client_counts counts() const { return {requests_, counts_.silences()}; }
 

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSL-1.0
 """A line of the gateway that answers clients of Modbus TCP itself, by `[line.serve]`.
 
-    python3 serving.py GATEWAY TOOL together|turns|dead|unplugged|reload
+    python3 serving.py GATEWAY TOOL together|turns|dead|unplugged|late|reload
 """
 import json
 import socket
 import threading
 import time
 
-from devices import Changes
+from devices import Changes, OneLate
 from setting import Asking
 from stand import LIMIT, SITE, Broker, Client, Folder, Gateway, Units, a_line, a_meter, flows, meter, runs, soon, states, text_of
 
@@ -190,8 +190,22 @@ def reload(check, program, _):
                     check(late.connect_ex(("127.0.0.1", number)) != 0, "and nobody listens")
 
 
+def late(check, program, _):
+    """A device that answers later than `timeout` is read as soon as it owes nothing, where clients are served as well."""
+    with Folder() as folder, Broker(folder) as broker, OneLate({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        text = text_of(broker.port, [a_line(line.name, a_meter(registers=["voltage"]), timeout=0.5,
+                                            serve={"listen": f"mbap://127.0.0.1:{free_port()}", "units": "3,4"})])
+        with Gateway(program, folder, text):
+            check(flows(client), "values come")
+            line.late = 3
+            check(flows(client, count=5), "and go on when it is late")
+            sent = [at for at, _ in line.requests]
+            waited = [after - at - line.delay for at, after in zip(sent, sent[1:])][-8:]
+            check(min(each for each in waited if each > 0) < 1, "soon behind its latest answer", [round(each, 2) for each in waited])
+
+
 def main(check, program, tool, part, *more):
-    {"together": together, "turns": turns, "dead": dead, "unplugged": unplugged, "reload": reload}[part](check, program, tool, *more)
+    {"together": together, "turns": turns, "dead": dead, "unplugged": unplugged, "late": late, "reload": reload}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

@@ -60,14 +60,6 @@ void request_queue::leave_alone(served_request const& unanswered, serve_time all
     owed = {unanswered.pdu, std::max(owed.until, others)};
 }
 
-bool request_queue::is_left_alone(std::uint8_t unit, serve_time now) const
-{
-    auto const alone = alone_until_.find(unit);
-    return (alone != alone_until_.end() and now < alone->second) or std::ranges::any_of(owed_, [&](auto const& each) {
-               return each.first.first == unit and now < each.second.until;
-           });
-}
-
 serve_time request_queue::free_from(served_request const& request) const
 {
     auto const alone = alone_until_.find(request.unit);

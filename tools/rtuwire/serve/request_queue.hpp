@@ -54,8 +54,6 @@ public:
     /// Another's reading of a unit waits for that, and comes first: until then, or until it was done, none is taken for it.
     void keep(std::uint8_t unit, serve_time until) { kept_until_[unit] = until; }
     void note_kept_done(std::uint8_t unit) { kept_until_.erase(unit); }
-    /// Whether an answer to some request may come from a unit yet.
-    [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time now) const;
     /// Whether one that it owes might be taken for the answer to this request.
     [[nodiscard]] bool is_held(served_request const& request, serve_time now) const { return now < free_from(request); }
 

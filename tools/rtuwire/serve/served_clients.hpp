@@ -77,7 +77,6 @@ public:
     {
         return queue_.is_held(request, at);
     }
-    [[nodiscard]] bool is_left_alone(std::uint8_t unit, serve_time at) const { return queue_.is_left_alone(unit, at); }
     /// Who sent it, by its address.
     [[nodiscard]] std::string client_of(served_request const& request);
     void answer(served_request const& to, rtuwire::byte_view pdu);
