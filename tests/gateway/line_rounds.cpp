@@ -80,6 +80,11 @@ TEST_CASE("a device that may owe an answer is not read, also right behind its id
     on.run_for(1s);
     CHECK(on.line.units[1].reads > 0);
     CHECK(on.board.device(1)->is_available);
+    on.line.units[1].owes = true;
+    on.run_for(3s);
+    on.line.units[1].owes = false;
+    on.run_for(1s);
+    CHECK(on.count(event_kind::note) == 0); // its periods are not to blame
 }
 
 TEST_CASE("a value that is none is marked, and none stands there")

@@ -76,6 +76,8 @@ TEST_CASE("owed: behind an answer that was taken for lost nobody knows what is o
         CHECK(on.owed.hides(fast));
         CHECK(on.owed.hides(mark));
         CHECK_FALSE(on.owed.hides(frame("06 00 01 00 00"))); // a write says what it wrote
+        CHECK(on.owed.rests_until(std::byte{1}) > owed_answers::clock::now());
+        CHECK(on.owed.rests_until(std::byte{2}) < owed_answers::clock::now()); // another one
     }
 }
 

@@ -168,6 +168,7 @@ void line_rounds::ask_parts(clock::time_point now)
         } else if (not may_ask(devices_[each.what.device], now)) {
             continue;
         } else if (line_.is_left_alone(each.what.device)) {
+            silent_at_ = now;
             line_.keep_turn(each.what.device);
         } else if (first == nullptr or std::max(each.due, each.turn) < std::max(first->due, first->turn)) {
             first = &each;

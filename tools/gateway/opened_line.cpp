@@ -216,9 +216,10 @@ bool opened_line::is_left_alone(std::size_t device) const
     owed_answers const& owed = line_->exchange().owed();
     // Of one that is late whatever may come holds up the line until it has, where that is asked meanwhile.
     bool const is_late = owed.is_late(std::byte{unit});
-    return std::ranges::any_of(owed.functions_owed(std::byte{unit}), [&](auto const& each) {
-        return (is_late or reads_registers(each.first)) and now() < each.second;
-    });
+    return now() < owed.rests_until(std::byte{unit}) or
+           std::ranges::any_of(owed.functions_owed(std::byte{unit}), [&](auto const& each) {
+               return (is_late or reads_registers(each.first)) and now() < each.second;
+           });
 }
 
 void opened_line::keep_turn(std::size_t device)

@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|overtaken|repeated|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|overtaken|rested|repeated|pulled|replaced|many
 """
 import json
 import os
@@ -281,6 +281,32 @@ def overtaken(check, program, _):
             check(told("quick"), "the quick one comes")
 
 
+class LateTwice(OneLate):
+    """Units of which one is late with `left` answers by function 4, and not with what it is asked behind that."""
+
+    delay, left = 1.5, 0
+
+    def answer(self, request):
+        self.late = 3 if self.left and request[:2] == b"\3\4" else None
+        self.left -= self.late is not None
+        return super().answer(request)
+
+
+def rested(check, program, _):
+    """A unit whose late answers come when it has answered others is not asked until all that it owes may have come. It is there."""
+    with Folder() as folder, Broker(folder) as broker, LateTwice({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        the_line = a_line(line.name, a_meter(registers=["voltage", "set_point"]), timeout=0.5)
+        with Gateway(program, folder, text_of(broker.port, [the_line])) as gateway:
+            check(flows(client), "values come")
+            for turn in range(2):
+                line.left, since = 2, time.time()
+                check(soon(lambda: not line.left, LIMIT), "it is late")
+                check(flows(client, since=time.time() + line.delay, count=2), "values come again")
+                said = [each.payload for each in client.of(f"{SITE}/line1/meter/availability") if each.arrived >= since]
+                check(not said, f"turn {turn}: it is there all the time", said)
+            check("longer periods" not in gateway.said(), "and its period is not to blame", gateway.said())
+
+
 class Repeating(Units):
     """Units whose line says responses again: `how` is doubled, late or foreign. A voltage is another number each time, 10000 more
     of unit 4."""
@@ -443,7 +469,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "overtaken": overtaken, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
+    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "overtaken": overtaken, "rested": rested, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
     parts[part](check, program, tool, *more)
 
 

@@ -273,6 +273,12 @@ std::map<std::byte, owed_answers::clock::time_point> owed_answers::functions_owe
     return functions;
 }
 
+owed_answers::clock::time_point owed_answers::rests_until(std::byte unit) const
+{
+    auto const found = units_.find(unit);
+    return found == units_.end() ? clock::time_point{} : found->second.rests_until;
+}
+
 bool owed_answers::is_late(std::byte unit) const
 {
     auto const found = units_.find(unit);

@@ -60,6 +60,8 @@ public:
     /// units are in order. That is until 1.5 s behind the time-out, or 0.5 s later than its latest.
     [[nodiscard]] std::map<std::byte, clock::time_point> functions_owed(std::byte unit) const;
 
+    /// Until then a unit that answered out of order is asked nothing: it may owe anything.
+    [[nodiscard]] clock::time_point rests_until(std::byte unit) const;
     /// Whether an answer of this unit came later than anybody waited for it, the last time that one did not come in time.
     [[nodiscard]] bool is_late(std::byte unit) const;
 
