@@ -186,6 +186,51 @@ TEST_CASE("serve: who wants a unit that is left alone waits, and nobody else doe
     CHECK_FALSE(queue.next_turn());
 }
 
+TEST_CASE(
+    "serve: a unit that is kept for a reading of another's is not asked for clients before, and nobody else waits")
+{
+    request_queue queue;
+    served_request const again{
+        .client = 1, .number = 1, .unit = 1, .pdu = {std::byte{3}}, .came = begin, .sent = 1}; // whatever was sent
+    queue.put_back(again);
+    REQUIRE(queue.add({.client = 2, .number = 2, .unit = 5, .pdu = {std::byte{3}}, .came = begin}));
+    queue.keep(1, begin + 2s);
+    CHECK(queue.is_held(again, begin + 1999ms));
+    CHECK(queue.take(begin)->number == 2);
+    CHECK(queue.next_turn() == begin + 2s);
+    CHECK_FALSE(queue.take(begin + 1999ms));
+    SECTION("until it was done")
+    {
+        queue.note_kept_done(5);
+        CHECK_FALSE(queue.take(begin));
+        queue.note_kept_done(1);
+        CHECK_FALSE(queue.is_held(again, begin));
+        CHECK(queue.take(begin)->number == 1);
+    }
+    SECTION("until then, where it is not done")
+    {
+        CHECK_FALSE(queue.is_held(again, begin + 2s));
+        CHECK(queue.take(begin + 2s)->number == 1);
+    }
+    SECTION("for longer where it is kept again")
+    {
+        queue.keep(1, begin + 3s);
+        CHECK_FALSE(queue.take(begin + 2s));
+        CHECK(queue.take(begin + 3s)->number == 1);
+    }
+    SECTION("where it is known to be silent nobody waits for that")
+    {
+        queue.refuse_at_once([](std::uint8_t unit) { return unit == 1; });
+        CHECK(queue.take(begin)->number == 1);
+    }
+    SECTION("and what waits too long is refused all the same")
+    {
+        queue.keep(1, begin + 10s);
+        CHECK(queue.take_old(begin + request_queue::oldest).size() == 1);
+        CHECK(queue.size() == 0);
+    }
+}
+
 TEST_CASE("serve: an answer that may come yet is waited for by each request that it might be taken for")
 {
     auto const wants = [](std::uint16_t number, std::uint8_t function, std::uint8_t address, unsigned sent = 0) {
