@@ -3,8 +3,9 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|overtaken|rested|repeated|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|overtaken|one_function|rested|repeated|pulled|replaced|many
 """
+import contextlib
 import json
 import os
 import subprocess
@@ -281,6 +282,41 @@ def overtaken(check, program, _):
             check(told("quick"), "the quick one comes")
 
 
+class LateByOne(OneLate):
+    """Units of which one is late with what it is asked by function 3, and with nothing else."""
+
+    def answer(self, request):
+        self.late = 3 if request[1] == 3 else None
+        return super().answer(request)
+
+
+def one_function(check, program, _):
+    """A unit that is late by one function alone, by little or by much: each value is one of its own register."""
+    registers = {"first": 10, "second": 500, "third": 1200}
+    file = "".join(f'[[register]]\nname = "{name}"\naddress = {at}\n' for name, at in registers.items())
+    device = {"name": "meter", "unit": 3, "file": "far.toml", "every": 1.0, "groups": '[{ registers = ["third"], every = 2.0 }]'}
+    with contextlib.ExitStack() as stack:
+        folder = stack.enter_context(Folder())
+        broker = stack.enter_context(Broker(folder))
+        client = stack.enter_context(Client(broker.port, "rtuwire/#"))
+        (folder / "far.toml").write_text(file, encoding="utf-8")
+        stands = {}
+        for delay in (0.9, 1.2, 1.5, 1.6, 1.7):
+            stands[delay] = stack.enter_context(LateByOne({3: {at: at for at in registers.values()}}))
+            stands[delay].delay, stands[delay].identity = delay, (b"Maker", b"Meter")
+        lines = [a_line(line.name, device, timeout=0.5, name=f"line{number}") for number, line in enumerate(stands.values())]
+        stack.enter_context(Gateway(program, folder, text_of(broker.port, lines)))
+
+        def told(number, name):
+            values = [each.values.get(name, {}).get("value") for each in states(client, f"line{number}/meter")]
+            return [each for each in values if each is not None]
+        check(soon(lambda: min(len(told(0, each)) for each in registers) > 1, LIMIT), "what is a little late comes", {each: told(0, each) for each in registers})
+        check(soon(lambda: len(stands[0.9].requests) > 45, LIMIT), "for a while", [len(line.requests) for line in stands.values()])
+        for number, delay in enumerate(stands):
+            found = {name: told(number, name) for name in registers}
+            check(all(set(found[name]) <= {at} for name, at in registers.items()), f"{delay} s late: each value is its own", found)
+
+
 class LateTwice(OneLate):
     """Units of which one is late with `left` answers by function 4, and not with what it is asked behind that."""
 
@@ -469,7 +505,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "overtaken": overtaken, "rested": rested, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
+    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "overtaken": overtaken, "one_function": one_function, "rested": rested, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
     parts[part](check, program, tool, *more)
 
 
