@@ -301,6 +301,18 @@ TEST_CASE("a device whose identification takes turns leaves the others theirs")
     CHECK(on.count(event_kind::note) == 0);
 }
 
+TEST_CASE("a device whose responses do not come at once has one turn, whatever of it is due")
+{
+    rounds_on_line on{2};
+    on.line.units[0].loses_one = true;
+    while (on.line.units[1].reads == 0) {
+        on.rounds.step();
+    }
+    CHECK(on.line.units[0].reads == 1); // of two groups
+    on.run_for(1s);
+    CHECK(on.board.device(0)->values[energy].state == value_state::valid);
+}
+
 TEST_CASE("what a slow device said counts once it has said who it is, in turns with others")
 {
     rounds_on_line on{2};

@@ -206,10 +206,12 @@ void line_rounds::ask(part& one)
             }
         }
     }
+    bool const was_slow = one.reading->found.was_repeated;
     if (take(one)) {
         schedule(one, devices_[which].is_identified);
-    } else {
-        one.turn = line_.now();
+    }
+    if (was_slow) {
+        end_turn(which);
     }
 }
 
