@@ -87,10 +87,17 @@ std::string why_invalid(device_value const& value, reading const& it, std::vecto
 /// By which values are read, and so what may be taken for another's.
 bool reads_registers(std::byte function) { return function <= std::byte{4}; }
 
+/// Of one that has said who it is before.
+std::string why_unsaid(device_plan const& device)
+{
+    return "unit " + std::to_string(device.unit.unit.byte()) + " does not say who it is, as it did, and is to be '" +
+           device.names->vendor + ' ' + device.names->product + '\'';
+}
+
 } // namespace
 
 opened_line::opened_line(line_plan const& plan, std::function<void(std::string const&)> tell)
-    : plan_{plan}, tell_{std::move(tell)}, looks_(plan.devices.size())
+    : plan_{plan}, tell_{std::move(tell)}, has_said_(plan.devices.size()), looks_(plan.devices.size())
 {
     serve(plan.serve);
     for (device_part& each : parts_of(plan)) {
@@ -229,8 +236,9 @@ void opened_line::keep_turn(std::size_t device)
     }
 }
 
-device_finding opened_line::who_answers(device_plan const& device)
+device_finding opened_line::who_answers(std::size_t which)
 {
+    device_plan const& device = plan_.devices[which];
     auto const found = [](std::string why) {
         return why.empty() ? device_finding{} : device_finding{device_finding::kind::wrong, std::move(why)};
     };
@@ -270,19 +278,30 @@ device_finding opened_line::who_answers(device_plan const& device)
                      ": reading it feeds its supervision of the line, which the file does not say: drive = \"...\" and "
                      "feeds_supervision = true");
     }
-    bool const is_said = not device.names->vendor.empty() and not who.product.empty();
-    return found(is_said ? why_another_device(unit, who, device.names->vendor, device.names->product) : std::string{});
+    if (device.names->vendor.empty()) {
+        return {};
+    }
+    bool const is_said = not who.product.empty();
+    if (not is_said and has_said_[which]) {
+        auto const what = who.is_another ? device_finding::kind::wrong : device_finding::kind::silent;
+        return {what, why_unsaid(device)};
+    }
+    std::string why =
+        is_said ? why_another_device(unit, who, device.names->vendor, device.names->product) : std::string{};
+    has_said_[which] = has_said_[which] or (is_said and why.empty());
+    return found(std::move(why));
 }
 
-device_finding opened_line::look_at(device_plan const& device, bool is_known_silent)
+device_finding opened_line::look_at(std::size_t which, bool is_known_silent)
 {
+    device_plan const& device = plan_.devices[which];
     // One that is away costs one request.
     auto const look = is_known_silent ? look_at_place : read_place;
     held_words const first = look(*line_, device.unit.unit, device.values.front().which.where);
     if (status_of(first.why) == exit_status::port) {
         throw ended{exit_status::port, line_->port().failure()};
     }
-    return is_unheard(first.why) ? device_finding{device_finding::kind::silent, first.failure} : who_answers(device);
+    return is_unheard(first.why) ? device_finding{device_finding::kind::silent, first.failure} : who_answers(which);
 }
 
 device_finding opened_line::identify(std::size_t which, bool is_known_silent)
@@ -290,7 +309,7 @@ device_finding opened_line::identify(std::size_t which, bool is_known_silent)
     using enum device_finding::kind;
     device_plan const& device = plan_.devices[which];
     note_asked(device);
-    auto const found = line_->ask_on(looks_[which], [&] { return look_at(device, is_known_silent); });
+    auto const found = line_->ask_on(looks_[which], [&] { return look_at(which, is_known_silent); });
     for (read_part& each : parts_) {
         if (found and found->what != right and each.what.device == which) {
             each.begin_anew();
@@ -365,6 +384,9 @@ setting_outcome opened_line::write(setting_request const& request, setting_look 
             return {setting_result::refused, "nothing could be noted: " + why};
         }
         write_rules const rules = rules_to_write(*line_, device.unit, chosen.allowed);
+        if (has_said_[request.device] and not rules.says_it_is_none) {
+            return {setting_result::failed, why_unsaid(device)};
+        }
         value_list const values = checked_values({label + '=' + request.text}, *line_, device.unit, rules, chosen);
         if (values.size() != 1 or values[0].where != which.where) {
             return {setting_result::refused, "'" + request.text + "' is no value of " + label};

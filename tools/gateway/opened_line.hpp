@@ -59,7 +59,7 @@ private:
     };
 
     /// In turns.
-    device_finding look_at(device_plan const& device, bool is_known_silent);
+    device_finding look_at(std::size_t device, bool is_known_silent);
     void wait(int descriptor, rtuwire::instant until) override;
     bool is_over() const override { return false; }
     bool wait_for_bytes(int descriptor, std::chrono::microseconds time);
@@ -68,7 +68,7 @@ private:
     void hold_clients(device_plan const& device);
     void note_outcome(device_plan const& device, bool has_responded);
     /// Whether what answers there is what the file says.
-    device_finding who_answers(device_plan const& device);
+    device_finding who_answers(std::size_t device);
     setting_outcome send(device_plan const& device, std::vector<value_to_write> const& values,
                          setting_look const& last_look);
     slot_value value_of(device_plan const& device, device_value const& value, register_reader const& from) const;
@@ -76,6 +76,7 @@ private:
     line_plan const& plan_;
     std::function<void(std::string const&)> tell_;
     std::vector<read_part> parts_{};
+    std::vector<bool> has_said_;            ///< of each device with a `vendor`: it has said once that it is that
     std::vector<earlier_turns> looks_;      ///< at each device, that are not through
     std::optional<line_clients> clients_{}; ///< outlive the line
     std::optional<open_line> line_{};

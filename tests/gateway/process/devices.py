@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|overtaken|one_function|rested|repeated|pulled|replaced|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|overtaken|one_function|rested|repeated|pulled|replaced|unnamed|many
 """
 import contextlib
 import json
@@ -475,6 +475,43 @@ def replaced(check, program, tool):
                 check(flows(client, "line1/fan", back), "its values come again")
 
 
+class Exchanged(Units):
+    """A unit that says who it is, and another one in its place, of which function 43 learns nothing: it `refuses` that, is `mute`, or
+    `loses` its answer, once, with the repetition."""
+
+    how = None
+
+    def answer(self, request):
+        if request[1] != 43 or request[0] in self.silent:
+            return super().answer(request)
+        if self.how == "refuses":
+            return bytes([request[0], 0x80 | 43, 1])
+        if self.how == "mute" or (self.how == "loses" and sum(each[1] == 43 for _, each in self.requests) < 3):
+            return None
+        objects = b"".join(bytes([i, len(each)]) + each for i, each in enumerate((b"Other" if self.how else b"Maker", b"Meter", b"1.0")))
+        return bytes([request[0], 43, 14, 1, 1, 0, 0, 3]) + objects
+
+
+def unnamed(check, program, _):
+    """Another device at the address of one whose file has a `vendor`: it is not read as the one before, also where it does not say who
+    it is, or that was lost."""
+    for how in ("refuses", "mute", "loses"):
+        with Folder() as folder, Broker(folder) as broker, Exchanged({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+            (folder / "named.toml").write_text('[device]\nvendor = "Maker"\nproduct = "Meter"\n' + METER, encoding="utf-8")
+            text = text_of(broker.port, [a_line(line.name, a_meter(registers=["voltage"], settings=["set_point"], file="named.toml"))])
+            with Gateway(program, folder, text, "--write"):
+                check(flows(client), f"{how}: values come")
+                line.silent = {3}
+                check(soon(lambda: client.last(f"{SITE}/line1/meter/availability") == "offline", LIMIT), f"{how}: it is gone")
+                line.units[3][0], line.how = 999, how
+                line.requests.clear()
+                line.silent = set()
+                check(soon(lambda: any(each.values["voltage"].get("why", "").startswith("unit 3 ") for each in states(client) if "voltage" in each.values), LIMIT),
+                      f"{how}: it is told that another one is there", [each.message for each in states(client)[-2:]])
+                check(not soon(lambda: any(each.values["voltage"].get("value") == 99.9 for each in states(client) if "voltage" in each.values), 3),
+                      f"{how}: no value of it is told", [each.message for each in states(client)[-2:]])
+
+
 def many(check, program, tool, lines="10", devices="30", seconds="60"):
     """300 devices on 10 lines, each every second: all come, at their period."""
     lines, devices = int(lines), int(devices)
@@ -505,7 +542,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "overtaken": overtaken, "one_function": one_function, "rested": rested, "repeated": repeated, "pulled": pulled, "replaced": replaced, "many": many}
+    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "overtaken": overtaken, "one_function": one_function, "rested": rested, "repeated": repeated, "pulled": pulled, "replaced": replaced, "unnamed": unnamed, "many": many}
     parts[part](check, program, tool, *more)
 
 
