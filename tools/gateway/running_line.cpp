@@ -20,7 +20,8 @@ namespace tool::gateway {
 class running_line::parts {
 public:
     parts(std::shared_ptr<line_plan const> which, bool may_write, stored_writes& stored, std::function<void()> on_news)
-        : plan{std::move(which)}, board{*plan, may_write, std::move(on_news)}, stored_{stored}, plan_of_clients_{plan}
+        : plan{std::move(which)}, board{*plan, may_write, on_news}, on_news_{std::move(on_news)}, stored_{stored},
+          plan_of_clients_{plan}
     {
         without_signals const kept;
         thread_ = std::thread{[this] { run(); }};
@@ -30,6 +31,8 @@ public:
     ~parts() { finish(); }
 
     void end() { shall_end_ = true; }
+    bool shall_end() const { return shall_end_; }
+    bool has_ended() const { return has_ended_; }
     void finish()
     {
         end();
@@ -67,13 +70,17 @@ private:
             rounds.step();
         }
         rounds.end();
+        has_ended_ = true;
+        on_news_();
     }
 
+    std::function<void()> on_news_;
     stored_writes& stored_;
     std::mutex guard_{};
     std::shared_ptr<line_plan const> plan_of_clients_;
     bool has_new_clients_{false};
     std::atomic<bool> shall_end_{false};
+    std::atomic<bool> has_ended_{false};
     std::thread thread_{};
 };
 
@@ -94,6 +101,10 @@ device_slot::content running_line::device(std::size_t which) const { return part
 
 void running_line::submit(setting_request request)
 {
+    if (parts_->shall_end()) { // nobody takes it any more
+        parts_->board.answer(request, setting_result::refused, "the line ends", unix_now());
+        return;
+    }
     parts_->board.submit(std::move(request), unix_now(), std::chrono::steady_clock::now());
 }
 
@@ -103,7 +114,21 @@ std::vector<line_event> running_line::take_events() { return parts_->board.take_
 
 void running_line::end() { parts_->end(); }
 
+bool running_line::shall_end() const { return parts_->shall_end(); }
+
+bool running_line::has_ended() const { return parts_->has_ended(); }
+
 void running_line::finish() { parts_->finish(); }
+
+namespace {
+
+/// Whether a line of a plan that was read later is the same one.
+bool goes_on_as(running_line const& line, line_plan const& plan)
+{
+    return not line.shall_end() and line.plan().name == plan.name and line.plan().said == plan.said;
+}
+
+} // namespace
 
 running_lines::running_lines(bool may_write, stored_writes& stored, std::function<void()> on_news)
     : may_write_{may_write}, stored_{stored}, on_news_{std::move(on_news)}
@@ -111,11 +136,28 @@ running_lines::running_lines(bool may_write, stored_writes& stored, std::functio
 
 running_lines::~running_lines() { finish(); }
 
+void running_lines::end()
+{
+    std::ranges::for_each(lines_, [](auto const& each) { each->end(); });
+}
+
+void running_lines::end_all_but(gateway_plan const& plan)
+{
+    for (auto const& each : lines_) {
+        if (std::ranges::none_of(plan.lines, [&each](auto const& one) { return goes_on_as(*each, *one); })) {
+            each->end();
+        }
+    }
+}
+
+bool running_lines::are_ending() const
+{
+    return std::ranges::any_of(lines_, [](auto const& each) { return each->shall_end() and not each->has_ended(); });
+}
+
 void running_lines::finish()
 {
-    for (auto const& each : lines_) { // all of them at once, before one is waited for
-        each->end();
-    }
+    end(); // all of them at once, before one is waited for
     std::ranges::for_each(lines_, [](auto const& each) { each->finish(); });
 }
 
@@ -123,9 +165,8 @@ void running_lines::apply(gateway_plan const& plan, std::function<void(running_l
 {
     std::vector<std::shared_ptr<running_line>> next;
     for (auto const& each : plan.lines) {
-        auto const same = std::ranges::find_if(lines_, [&each](auto const& one) {
-            return one != nullptr and one->plan().name == each->name and one->plan().said == each->said;
-        });
+        auto const same = std::ranges::find_if(
+            lines_, [&each](auto const& one) { return one != nullptr and goes_on_as(*one, *each); });
         next.push_back(same == lines_.end() ? nullptr : std::exchange(*same, nullptr));
     }
     std::erase(lines_, nullptr);

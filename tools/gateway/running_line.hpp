@@ -82,7 +82,8 @@ public:
     [[nodiscard]] device_slot::content device(std::size_t which) const;
 
     /// One register has one request that waits, until its frame leaves: a newer one takes its place, and the older is answered
-    /// `refused`. What is no setting, expired, too far ahead or not allowed is answered, too, and never leaves.
+    /// `refused`. What is no setting, expired, too far ahead or not allowed, or comes behind `end`, is answered, too, and never
+    /// leaves.
     void submit(setting_request request);
 
     /// What has come since the last call. Of events the oldest are dropped where nobody takes them.
@@ -91,6 +92,8 @@ public:
 
     /// Begins to end: behind the request that is under way.
     void end();
+    [[nodiscard]] bool shall_end() const;
+    [[nodiscard]] bool has_ended() const;
     /// Waits for that. Each setting has its answer then, those that waited as well; what is known stays.
     void finish();
 
@@ -112,6 +115,12 @@ public:
     /// end do so at once, each behind its request; `last_look` sees each that has ended, with its last answers and events.
     void apply(
         gateway_plan const& plan, std::function<void(running_line&)> const& last_look = [](running_line&) {});
+    /// Those begin to end that `apply` would end.
+    void end_all_but(gateway_plan const& plan);
+    /// All begin to end.
+    void end();
+    /// Whether one that is to end has not: its request is under way.
+    [[nodiscard]] bool are_ending() const;
     /// All end, and stay.
     void finish();
 

@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSL-1.0
 """Settings from MQTT: what is written, what never is, and what each command is answered.
 
-    python3 setting.py GATEWAY TOOL done|replaced|stored|refused|moments|hung|cuts|drive
+    python3 setting.py GATEWAY TOOL done|replaced|ended|stored|refused|moments|hung|cuts|drive
 
 Behind `cuts`: all, for every moment with both qualities of service.
 """
 import json
+import signal
 import threading
 import time
 
@@ -135,6 +136,42 @@ def replaced(check, program, _):
             for name, value, _ in sent:
                 told = [each for each in gateway.said().splitlines() if f" {name}={value}: " in each]
                 check(len(told) == 1, f"{name}={value} is told once", told)
+
+
+def ended(check, program, _):
+    """A line ends, by a reload or with the gateway, behind a command whose device is late: the broker hears the gateway all the time,
+    the other line goes on, and each command has its answer."""
+    for how in ("reload", "end"):
+        with Folder() as folder, Broker(folder) as broker, Held({3: meter()}) as line, Units({4: meter()}) as other, \
+                Client(broker.port, "rtuwire/#") as client:
+            second = a_line(other.name, a_meter("two", 4, registers=["voltage"]), name="line2")
+            named = ["set_point", "kept", "mode"]
+            text = lambda **more: text_of(broker.port, [a_line(line.name, a_meter(settings=named, registers=["voltage"], **more), timeout=30), second])
+            with Gateway(program, folder, text(), "--write") as gateway:
+                check(flows(client) and flows(client, "line2/two"), f"{how}: values come")
+                ask, sent, since = Asking(check, client), [], time.time()
+                line.let_go.clear()
+                sent.append(("set_point", ask.send("set_point", 30, expires=50.0)))
+                check(line.is_held.wait(LIMIT), f"{how}: one is under way, and its unit is late")
+                sent.append(("kept", ask.send("kept", 500, expires=50.0)))
+                gateway.reload(text(every=0.25)) if how == "reload" else gateway.process.send_signal(signal.SIGTERM)
+                time.sleep(1)
+                ask.expect("mode", "auto", ("refused",), f"{how}: what comes now is answered at once", says="the line ends")
+                if how == "reload":
+                    check(flows(client, "line2/two", count=10), "the other line goes on")  # for longer than the broker would wait
+                else:
+                    time.sleep(10)
+                states_said = [each.payload for each in client.of(f"{SITE}/status") if each.arrived > since]
+                check(b"offline" not in states_said, f"{how}: the broker has not missed the gateway", states_said)
+                line.let_go.set()
+                check(soon(lambda: all(ask.answers(name, number) for name, number in sent), LIMIT), f"{how}: all are answered")
+                results = [[said["result"] for said, _ in ask.answers(name, number)] for name, number in sent]
+                check(results == [["done"], ["refused"]], f"{how}: the one under way is done, once, and the one that waited is refused", results)
+                if how == "reload":
+                    check(flows(client), "and the line goes on with its new file")
+                else:
+                    check(soon(lambda: gateway.process.poll() == 0, LIMIT), "it ends", gateway.process.poll())
+                    check(soon(lambda: client.last(f"{SITE}/status") == "offline", LIMIT), "and says so")
 
 
 def stored(check, program, _):
@@ -346,7 +383,7 @@ def drive(check, program, tool):
 
 
 def main(check, program, tool, part, *more):
-    {"done": done, "replaced": replaced, "stored": stored, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
+    {"done": done, "replaced": replaced, "ended": ended, "stored": stored, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

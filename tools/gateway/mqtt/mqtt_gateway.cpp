@@ -81,14 +81,14 @@ mqtt_gateway::mqtt_gateway(gateway_choices const& chosen, gateway_plan plan)
       lines_{chosen.may_write, stored_, [this] { news_->ring(); }}, record_{plan_.state_folder, owner_of(chosen.file)},
       publisher_{chosen.may_write, record_.topics()}, pauses_{plan_.site + '/' + plan_.gateway}
 {
-    take_plan(std::move(plan_));
+    std::string password = password_of(plan_.broker);
+    take_plan({std::move(plan_), std::move(password)});
 }
 
-void mqtt_gateway::take_plan(gateway_plan plan)
+void mqtt_gateway::take_plan(plan_with_password next)
 {
-    std::string password = password_of(plan.broker);
-    plan_ = std::move(plan);
-    password_ = std::move(password);
+    plan_ = std::move(next.plan);
+    password_ = std::move(next.password);
     for (std::string const& each : plan_.notes) {
         tell("note", each);
     }
@@ -116,13 +116,22 @@ std::vector<line_feed> mqtt_gateway::feeds() const
 void mqtt_gateway::run()
 {
     take_gateway_signals(*news_);
-    while (shall_end == 0) {
+    bool is_ending = false;
+    // Lines that end may take some seconds for the request that is under way; the connection and the others go on meanwhile.
+    while (shall_end == 0 or lines_.are_ending() or not is_ending) {
+        if (shall_end != 0 and not std::exchange(is_ending, true)) {
+            tell("end", "ends");
+            lines_.end();
+        }
         if (shall_reload != 0) {
             shall_reload = 0;
             reload();
         }
+        if (next_ and not is_ending and not lines_.are_ending()) {
+            take_next();
+        }
         look_at_lines();
-        if (not connection_ and clock::now() >= next_try_) {
+        if (not connection_ and not is_ending and clock::now() >= next_try_) {
             connect();
         }
         publish_all();
@@ -131,7 +140,6 @@ void mqtt_gateway::run()
             look_at_connection();
         }
     }
-    tell("end", "ends");
     lines_.finish();
     look_at_lines();
     finish_connection();
@@ -142,20 +150,27 @@ void mqtt_gateway::reload()
 {
     try {
         gateway_plan plan = checked_plan(chosen_.file);
-        std::string const password = password_of(plan.broker);
-        if (not is_same_broker(plan, plan_) or password != password_) {
-            finish_connection();
-            is_old_broker_ = false; // nobody knows it
-            next_try_ = clock::now();
-        }
-        if (plan.state_folder != plan_.state_folder) {
-            tell("note", "another state_folder is used from the next start on");
-        }
-        take_plan(std::move(plan));
-        tell("reload", chosen_.file + ": read again");
+        std::string password = password_of(plan.broker);
+        lines_.end_all_but(plan);
+        next_ = {std::move(plan), std::move(password)};
     } catch (ended const& why) {
         tell("reload_refused", std::string{why.what()} + "; what was read before goes on");
     }
+}
+
+void mqtt_gateway::take_next()
+{
+    plan_with_password next = *std::exchange(next_, std::nullopt);
+    if (not is_same_broker(next.plan, plan_) or next.password != password_) {
+        finish_connection();
+        is_old_broker_ = false; // nobody knows it
+        next_try_ = clock::now();
+    }
+    if (next.plan.state_folder != plan_.state_folder) {
+        tell("note", "another state_folder is used from the next start on");
+    }
+    take_plan(std::move(next));
+    tell("reload", chosen_.file + ": read again");
 }
 
 void mqtt_gateway::connect()

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,9 +41,17 @@ public:
 private:
     using clock = publisher::clock;
 
+    /// The password is that of its file when the plan is read.
+    struct plan_with_password {
+        gateway_plan plan;
+        std::string password;
+    };
+
+    /// Reads the file; what goes by that is to end.
     void reload();
-    /// The password is that of the file when it is read.
-    void take_plan(gateway_plan plan);
+    /// That has ended.
+    void take_next();
+    void take_plan(plan_with_password next);
     [[nodiscard]] std::vector<line_feed> feeds() const;
     void connect();
     void look_at_lines();
@@ -69,6 +78,7 @@ private:
     mqtt_library library_{};
     gateway_plan plan_;
     std::string password_{};
+    std::optional<plan_with_password> next_{};                   ///< waits for lines that end
     std::vector<std::shared_ptr<line_plan const>> line_plans_{}; ///< of `lines_`, which may be older than the plan
     stored_writes stored_;
     running_lines lines_;
