@@ -54,9 +54,7 @@ TEST_CASE("a value is no older than its time, however long its reading and what 
     rounds_on_line on{2};
     on.line.response = 300ms;
     on.line.units[0].loses_one = true; // so that it says who it is, behind its values
-    auto const names = std::make_shared<tool::named_places>();
-    names->vendor = "Maker";
-    on.plan.devices[0].names = names;
+    on.have_the_first_say_who_it_is();
     on.run_for(5s);
     for (std::size_t const each : {0U, 1U}) {
         std::uint64_t const time = on.board.device(each)->values[power].time;
@@ -229,9 +227,7 @@ TEST_CASE("another device in the place of one that says who it is, is found behi
     for (bool const is_missed : {false, true}) {
         CAPTURE(is_missed);
         rounds_on_line on{2};
-        auto const names = std::make_shared<tool::named_places>();
-        names->vendor = "Maker";
-        on.plan.devices[0].names = names;
+        on.have_the_first_say_who_it_is();
         on.run_for(5s);
         REQUIRE(on.board.device(0)->is_available);
         REQUIRE(on.line.units[0].identified == 1);
@@ -256,9 +252,7 @@ TEST_CASE("another device in the place of one that says who it is, is found behi
 TEST_CASE("what answers a repetition says who it is before its values count")
 {
     rounds_on_line on{1};
-    auto const names = std::make_shared<tool::named_places>();
-    names->vendor = "Maker";
-    on.plan.devices[0].names = names;
+    on.have_the_first_say_who_it_is();
     on.run_for(5s);
     REQUIRE(on.line.units[0].identified == 1);
     on.line.units[0].loses_one = true;
@@ -316,9 +310,7 @@ TEST_CASE("a device whose responses do not come at once has one turn, whatever o
 TEST_CASE("what a slow device said counts once it has said who it is, in turns with others")
 {
     rounds_on_line on{2};
-    auto const names = std::make_shared<tool::named_places>();
-    names->vendor = "Maker";
-    on.plan.devices[0].names = names;
+    on.have_the_first_say_who_it_is();
     on.run_for(5s);
     timed_line::unit& slow = on.line.units[0];
     slow.looks = 3;

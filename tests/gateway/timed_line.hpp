@@ -205,6 +205,14 @@ struct rounds_on_line {
           stored{folder.path("."), "/etc/one.toml", line.unix_time(), line.now()}, rounds{plan, line, board, stored}
     {}
 
+    /// Its register file has a vendor.
+    void have_the_first_say_who_it_is()
+    {
+        auto const names = std::make_shared<named_places>();
+        names->vendor = "Maker";
+        plan.devices[0].names = names;
+    }
+
     void run_for(asked_line::clock::duration time)
     {
         for (time_point const end = line.now() + time; line.now() < end;) {

@@ -118,7 +118,7 @@ void mqtt_gateway::run()
     take_gateway_signals(*news_);
     bool is_ending = false;
     // Lines that end may take some seconds for the request that is under way; the connection and the others go on meanwhile.
-    while (shall_end == 0 or lines_.are_ending() or not is_ending) {
+    while (not is_ending or lines_.are_ending()) {
         if (shall_end != 0 and not std::exchange(is_ending, true)) {
             tell("end", "ends");
             lines_.end();
