@@ -75,7 +75,9 @@ private:
         node& own = any();
         std::size_t const unit = nodes_[0].get() == &own ? 0U : 1U;
         said_.now = now_;
-        switch (chance_.below(28)) {
+        switch (chance_.below(30)) {
+        case 29: return sleep_under_a_start(unit);
+        case 28: return stop_others_beside_a_poll();
         case 26:
         case 27: return refer_between_frames(own, unit);
         case 24:
@@ -243,6 +245,27 @@ private:
         counts_.note(is_long ? event::slept_for_minutes : event::slept_briefly);
         said_.say("the controller sleeps for %.1f s", double(length) / 1e6);
         base::sleep(length);
+    }
+
+    /// A second start of a motor that runs is under way, and the program is not scheduled.
+    void sleep_under_a_start(std::size_t unit)
+    {
+        std::size_t const place = chance_.below(slots);
+        chance_.below(2) == 0 ? base::begin_start(place, unit) : base::use_again(place);
+        base::pass(chance_.below(300'000));
+        counts_.note(event::slept_under_a_start);
+        base::sleep(200'000 + chance_.below(12'000'000));
+    }
+
+    /// Everyone is stopped, or all but the last one, while that one answers somebody who only reads.
+    void stop_others_beside_a_poll()
+    {
+        std::size_t const place = chance_.below(slots);
+        base::begin_poll(place, how_.drives - 1);
+        slots_[place].asks_again = true;
+        base::pass(chance_.below(8'000));
+        counts_.note(event::others_stopped_beside_a_poll);
+        base::stop_all();
     }
 
     void let_another_speak(node& own, std::size_t unit)

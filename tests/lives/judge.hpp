@@ -37,16 +37,18 @@ public:
 
     // What the user does.
 
-    /// An order to run, in mHz, and the direction.
-    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_reverse, bool is_by_cycle, bool is_alone)
+    /// An order to run, in mHz, and the direction. `goes_on`: a cycle that runs the motor is told another reference.
+    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_reverse, bool is_by_cycle, bool is_alone,
+                    bool goes_on)
     {
         if (not has_power_ and not has_order()) {
             most_forward_ = most_reverse_ = 0;
             is_foreign_ = false;
         }
         note_reference(asked, is_reverse);
-        bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
-        orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, is_alone, false, now};
+        order const before = orders_[place].is_there ? orders_[place] : order{};
+        bool const has_enabled = goes_on and before.has_enabled;
+        orders_[place] = {true, before.has_begun, is_by_cycle, is_by_cycle, is_alone, has_enabled, now};
         kept_halt_at_ = is_by_cycle ? 0 : kept_halt_at_;
         ordered_at_ = now;
     }
@@ -323,6 +325,7 @@ public:
         // The words of a cycle hold the state, too.
         bool const shows_state = is_look_ or (to_u8(frame[1]) != 16 and frame.size() > size_of_one_word + 1);
         is_key_known_ = shows_state ? (status & altivar::stop_key_bit) != 0 : is_key_known_;
+        key_seen_at_ = shows_state and is_key_known_ ? now : key_seen_at_;
         for (order& each : orders_) {
             // A response to who asked in that place before tells the order nothing.
             each.has_looked = each.has_looked or (is_look_ and each.is_alone and asked_since_ >= each.at);
@@ -442,8 +445,9 @@ public:
     bool is_foreign() const { return is_foreign_; }
     bool has_power() const { return has_power_; }
     bool is_lost() const { return unanswered_ >= surely_lost(); }
-    /// Whether the last response came while the STOP key was shown: one more press looks the same.
-    bool is_key_known() const { return is_key_known_; }
+    /// Whether the last response came while the STOP key was shown: one more press looks the same. In company another
+    /// conversation may have seen it gone, between two looks of the one that is at work.
+    bool is_key_known() const { return is_key_known_ or (not is_alone() and key_seen_at_ >= ordered_at_); }
 
 private:
     struct order {
@@ -763,6 +767,7 @@ private:
     moment asked_since_{0};
     std::array<moment, 3> looked_at_{}; ///< the latest first
     moment last_heard_{0};
+    moment key_seen_at_{0};     ///< the latest response while the STOP key was shown
     moment unpolled_at_{0};     ///< it heard another request of this controller than a poll
     moment command_read_at_{0}; ///< ... that reads the control word
     moment last_foreign_{0};

@@ -148,7 +148,7 @@ protected:
     }
 
     /// An order to run. Changes of the reference that are under way may come behind it.
-    void note_order(std::size_t place, asked_motion asked, bool is_by_cycle)
+    void note_order(std::size_t place, asked_motion asked, bool is_by_cycle, bool goes_on = false)
     {
         std::size_t const unit = slots_[place].unit;
         bool is_alone = std::none_of(everyone_.begin(), everyone_.end(), [](slot_of_everyone const& each) {
@@ -159,7 +159,7 @@ protected:
             bool const is_other = i != place and each.unit == unit and each.what.index() != 0;
             is_alone = is_alone and not(is_other and looks_at_state(each.what));
         }
-        law_of(unit).note_order(place, now_, asked.half_hertz * 500, asked.is_reverse, is_by_cycle, is_alone);
+        law_of(unit).note_order(place, now_, asked.half_hertz * 500, asked.is_reverse, is_by_cycle, is_alone, goes_on);
         for (slot const& each : slots_) {
             if (each.unit == unit and std::holds_alternative<a::change_reference>(each.what)) {
                 law_of(unit).note_change(each.asked.half_hertz * 500, each.asked.is_reverse);
@@ -250,6 +250,9 @@ protected:
             said_.now = now_;
             said_.say("place %zu is used again", place);
             what.again();
+            if (chance_.below(3) == 0) { // twice in one pass is once
+                what.again();
+            }
             own.has_told = own.is_visited = own.is_paused = false;
             own.began = now_;
             law_of(own.unit).note_company(place);
@@ -310,6 +313,7 @@ protected:
     template <typename Device> void run(std::size_t place, a::cyclic<Device>& loop)
     {
         asked_motion const asked = any_reference();
+        bool const was_ordered = loop.control().is_ordered();
         bool const is_taken = run_cycle<Device>(loop, asked);
         said_.say("run in place %zu: %.1f Hz, taken %d", place, hertz(asked), int{is_taken});
         counts_.note(is_taken ? event::cycle_ran : event::cycle_refused_to_run);
@@ -317,7 +321,7 @@ protected:
             base::accuse(breach::beyond_limits, slots_[place].unit);
         }
         if (is_taken) {
-            note_order(place, asked, true);
+            note_order(place, asked, true, was_ordered);
         }
     }
 
