@@ -1481,6 +1481,15 @@ def drawn_write(drawn):
                          bytes([23]) + struct.pack(">HHHHB", 3201, 2, first, count, len(words)) + words))
 
 
+LINK_LOST = 5  # LFT: SLF
+OF_A_LINE = (6001, 6003, 6004, 6005)  # ADD, TBR, TFO, TTO
+
+
+def command_in_turn(simulator, at, words):
+    for word in words:
+        simulator.suffer(f"7 write {at.cmd} {word}")
+
+
 def turns(check, program, count="200", seed="1"):
     """Whatever clients write, with --write and without a limit of functions: a motor at rest stays so, and one that another master runs goes on
     as it did."""
@@ -1490,8 +1499,8 @@ def turns(check, program, count="200", seed="1"):
         with simulator as device, Served(program, device, "--units", "7", "--write", line=PATIENT) as served, Asker(served.number) as client:
             simulator.suffer(f"7 write {at.tto} 300")
             simulator.suffer(f"7 write {at.acc} 1")
-            for word in words:
-                simulator.suffer(f"7 write {at.cmd} {word}")
+            line = {each: client.read(7, each)[0] for each in OF_A_LINE}
+            command_in_turn(simulator, at, words)
             if 15 in words:
                 simulator.suffer(f"7 write {at.lfr} 300")
                 check(soon(lambda: simulator.shown(7)[1] == 30), "another master runs it", simulator.shown(7))
@@ -1505,7 +1514,13 @@ def turns(check, program, count="200", seed="1"):
                 client.read(7, at.eta)
                 passed += not answer[0] & 0x80
                 now = simulator.shown(7)
-                # Some settings take the power away from a drive that is switched on and stands: its own doing, and no way to turn.
+                # Some settings take the power away from a drive that is switched on and stands. Another format of characters, or
+                # a time-out below the pauses here, trips it: its own doing, and no way to turn.
+                if 15 not in words and now == ("fault", 0, LINK_LOST):
+                    for register, value in line.items():
+                        simulator.suffer(f"7 write {register} {value}")
+                    command_in_turn(simulator, at, (0x80, *words))
+                    now = simulator.shown(7)
                 stands = 15 not in words and now[0] in (before[0], "switch on disabled") and now[1:] == (0, 0)
                 if now != before and not stands:
                     wrong.append((pdu.hex(" "), answer.hex(" "), before, now))
