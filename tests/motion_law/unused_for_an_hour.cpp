@@ -37,6 +37,7 @@ struct drive_port {
     unsigned lost{0};         ///< how many of the next responses are
     std::uint64_t stopped{0}; ///< how long the program is, before it is given a response
     unsigned in_time{0};      ///< how many come before that one
+    bool loses_that{false};   ///< the one before which it was stopped does not come
 
     drive_port() { pass(100'000); }
     instant now() const { return instant{static_cast<std::uint32_t>(time)}; }
@@ -70,8 +71,9 @@ struct drive_port {
                 lost -= lost > 0 ? 1 : 0;
                 bool const is_in_time = size == 0 or in_time > 0;
                 in_time -= in_time > 0 ? 1 : 0;
-                pass(is_in_time ? 0 : std::exchange(stopped, 0));
-                return place.first(size);
+                std::uint64_t const pause = is_in_time ? 0 : std::exchange(stopped, 0);
+                pass(pause);
+                return place.first(pause != 0 and loses_that ? 0 : size);
             }
         }
         return place.first(0);
@@ -231,6 +233,29 @@ TEST_CASE("motion law: L15 a start that failed behind such a stop leaves no moto
         CHECK((is_over or go.succeeded() == *has_power));
     }
     CHECK(failed > 0);
+}
+
+TEST_CASE("motion law: L15 so does one whose response was lost besides, and that may run no motor any more")
+{
+    constexpr std::uint16_t sll = 7'010, tto = 6'005;
+    constexpr register_block<1> keeps_speed{5}, three_seconds{30};
+    supervision_options const risky{.risks = {.accept_running_on = true}};
+    unsigned ended = 0;
+    bool is_over = false;
+    for (unsigned in_time = 0; not is_over; ++in_time) {
+        INFO("stopped before response " << in_time);
+        drive_port port;
+        port.loses_that = true;
+        REQUIRE(port.unit.drive().write(sll, keeps_speed) == errc::none);
+        REQUIRE(port.unit.drive().write(tto, three_seconds) == errc::none);
+        blocking_client line{port, timing, {.response_timeout = milliseconds(100), .retries = 0}};
+        start go{motor, 30_Hz, run_direction::forward, milliseconds(30'000), risky};
+        auto const has_power = says_so(port, line, go, in_time, 5'000'000);
+        is_over = not has_power;
+        ended += is_over or go.succeeded() ? 0U : 1U;
+        CHECK((is_over or go.succeeded() == *has_power));
+    }
+    CHECK(ended > 0);
 }
 
 TEST_CASE("motion law: L4 reads keep no motor running behind a second start that ended while its program was stopped")

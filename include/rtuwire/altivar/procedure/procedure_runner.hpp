@@ -272,8 +272,17 @@ private:
     constexpr void step(event what) noexcept { take(kind_->step(own(), what)); }
     [[gnu::noinline]] constexpr void step(event::kind what) noexcept { step(event{what}); }
     [[gnu::noinline]] constexpr void fail(errc error) noexcept { step({event::kind::failed, 0, error}); }
-    /// The same; or the drive belongs to a stop that came later.
-    constexpr void go_on(event what) noexcept { what.error() == errc::overruled ? yield() : step(what); }
+    /// The same; or the drive belongs to a stop, or to another order, that came later. An order that a silence alone has
+    /// ended has failed: a drive that does not supervise its link runs on.
+    constexpr void go_on(event what) noexcept
+    {
+        if (what.error() != errc::overruled) {
+            return step(what);
+        }
+        bool const may_run_on =
+            kind_->follows_order and is_unit_ordered() and not is_overruled() and not is_ordered_by_another();
+        may_run_on and end_of_order() == errc::unit_lost ? fail(errc::unit_lost) : yield();
+    }
     [[gnu::noinline]] constexpr void yield() noexcept { take(own().yield()); }
 
     constexpr bool is_done() const noexcept
