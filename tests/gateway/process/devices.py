@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|overtaken|one_function|rested|repeated|pulled|replaced|unnamed|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|beside|overtaken|one_function|rested|repeated|pulled|replaced|unnamed|many
 """
 import contextlib
 import json
@@ -230,6 +230,28 @@ def met(check, program, _):
                 check(other > 3 * itself, "and so each later one", line.requests[before:])
                 told = [each.values["voltage"]["value"] for each in states(client, since=since)]
                 check(set(told) == {230.1}, "each is its own", told)
+
+
+class AllLate(OneLate):
+    """Units of which all but unit 3 are late."""
+
+    def answer(self, request):
+        self.late = request[0] if request[0] != 3 else None
+        return super().answer(request)
+
+
+def beside(check, program, _):
+    """Four devices whose responses come too late cost another one a turn of each, and no time in which they owe an answer."""
+    units = {unit: meter() for unit in range(3, 8)}
+    with Folder() as folder, Broker(folder) as broker, AllLate(units) as line, Client(broker.port, "rtuwire/#") as client:
+        devices = [a_meter(f"meter{unit}", unit, registers=["voltage"], every=0.2) for unit in units]
+        with Gateway(program, folder, text_of(broker.port, [a_line(line.name, *devices, timeout=0.5)])):
+            check(all(flows(client, f"line1/meter{unit}") for unit in units), "values come")
+            since = time.time()
+            check(flows(client, "line1/meter3", since, 15), "and go on")
+            got = [each.time for each in states(client, "line1/meter3", since)]
+            gaps = sorted(after - each for each, after in zip(got, got[1:]))
+            check(gaps[len(gaps) // 4] < 4 * line.delay, "a turn of each apart", [round(each, 2) for each in gaps])
 
 
 class Overtaking(Units):
@@ -542,7 +564,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "overtaken": overtaken, "one_function": one_function, "rested": rested, "repeated": repeated, "pulled": pulled, "replaced": replaced, "unnamed": unnamed, "many": many}
+    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "beside": beside, "overtaken": overtaken, "one_function": one_function, "rested": rested, "repeated": repeated, "pulled": pulled, "replaced": replaced, "unnamed": unnamed, "many": many}
     parts[part](check, program, tool, *more)
 
 

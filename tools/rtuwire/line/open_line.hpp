@@ -22,9 +22,12 @@
 
 namespace tool {
 
-/// What the client of a line may do: all, also read the only unit of a line at address 0.
-inline constexpr rtuwire::client_needs<> line_needs{
-    .request_room = rtuwire::max_adu_size, .motors = rtuwire::host_needs.motors, .has_only_unit = true};
+/// What the client of a line may do: all, also read the only unit of a line at address 0. Each unit has a
+/// place of its own for what it owes.
+inline constexpr rtuwire::client_needs<> line_needs{.request_room = rtuwire::max_adu_size,
+                                                    .quarantine_places = 247,
+                                                    .motors = rtuwire::host_needs.motors,
+                                                    .has_only_unit = true};
 
 /// How a line is set.
 struct line_setting {
