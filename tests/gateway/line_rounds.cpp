@@ -362,6 +362,125 @@ TEST_CASE("what a slow device said counts once it has said who it is, in turns w
     }
 }
 
+TEST_CASE("a setting of a device whose responses do not come at once is written in turns with others")
+{
+    rounds_on_line on{3};
+    on.run_for(5s);
+    timed_line::unit& slow = on.line.units[0];
+    slow.takes = 1s;
+    slow.sets = 8;
+    on.submit(limit, "21", 30s, "first");
+    on.submit(level, "3", 30s, "second");
+    unsigned const own = slow.reads;
+    auto const longest_while = [&](auto const& goes_on) {
+        time_point last_read = on.line.now();
+        asked_line::clock::duration longest{};
+        for (unsigned reads = on.line.units[1].reads; goes_on();) {
+            on.rounds.step();
+            REQUIRE(on.line.now() - last_read < 20s);
+            if (std::exchange(reads, on.line.units[1].reads) != on.line.units[1].reads) {
+                longest = std::max(longest, on.line.now() - last_read);
+                last_read = on.line.now();
+            }
+        }
+        return longest;
+    };
+    CHECK(longest_while([&] { return slow.written == 0; }) < 2100ms); // its period, and one turn
+    CHECK(slow.set == 8);
+    CHECK(slow.reads <= own + 1); // none between its turns
+    setting_answer const answer = on.answer();
+    CHECK(answer.result == setting_result::done);
+    CHECK(answer.id == "first");
+    CHECK(longest_while([&] { return slow.written == 1; }) < 2100ms);
+    CHECK(slow.reads > own); // before the second
+    CHECK(on.answer().id == "second");
+    CHECK(on.board.device(0)->is_available);
+    CHECK(on.count(event_kind::note) == 0);
+}
+
+TEST_CASE("a setting whose device owes an answer waits for that, and keeps the turn")
+{
+    rounds_on_line on{2};
+    on.run_for(5s);
+    timed_line::unit& owing = on.line.units[0];
+    owing.owes = true;
+    owing.kept = 0;
+    on.submit(limit, "21", 3s);
+    unsigned const others = on.line.units[1].reads;
+    on.run_for(2s);
+    CHECK(owing.written == 0);
+    CHECK(owing.kept > 0);
+    CHECK(on.line.units[1].reads >= others + 2);
+    SECTION("until it has come")
+    {
+        owing.owes = false;
+        on.run_for(100ms);
+        CHECK(on.answer().result == setting_result::done);
+        CHECK(owing.written == 1);
+    }
+    SECTION("until it expires")
+    {
+        on.run_for(1100ms);
+        CHECK(on.answer().result == setting_result::expired);
+        owing.owes = false;
+        on.run_for(5s);
+        CHECK(owing.written == 0);
+    }
+}
+
+TEST_CASE("what ends a setting between two of its turns is its one answer, and the next one begins anew")
+{
+    rounds_on_line on{2};
+    on.run_for(5s);
+    timed_line::unit& slow = on.line.units[0];
+    slow.takes = 300ms;
+    slow.sets = 4;
+    on.submit(limit, "21", 3s, "first");
+    while (slow.set < 2) {
+        on.rounds.step();
+    }
+    CHECK(on.board.take_answers().empty());
+    SECTION("it expires")
+    {
+        on.line.pass(3s);
+        on.rounds.step();
+        CHECK(on.answer().result == setting_result::expired);
+    }
+    SECTION("a newer one")
+    {
+        on.submit(limit, "22", 10s, "second");
+        on.rounds.step();
+        setting_answer const first = on.answer();
+        CHECK(first.id == "first");
+        CHECK(first.why == "a newer one took its place");
+        on.run_for(10s);
+        CHECK(on.answer().id == "second");
+        CHECK(slow.written == 1);
+        CHECK(slow.held == 22);
+        slow.written = 0;
+    }
+    SECTION("its port goes")
+    {
+        on.line.is_gone = true;
+        on.run_for(1s);
+        CHECK(on.answer().result == setting_result::failed);
+        on.line.is_gone = false;
+    }
+    SECTION("its line ends")
+    {
+        on.rounds.end();
+        CHECK(on.answer().why == "the line ended before its turn");
+    }
+    on.run_for(10s);
+    CHECK(slow.written == 0);
+    CHECK(on.board.take_answers().empty());
+    on.submit(limit, "23", 10s, "third");
+    on.run_for(5s);
+    CHECK(on.answer().result == setting_result::done);
+    CHECK(slow.set == 4);
+    CHECK(slow.written == 1);
+}
+
 TEST_CASE("a setting whose turn does not come before the end is answered")
 {
     rounds_on_line on{1};

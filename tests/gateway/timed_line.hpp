@@ -40,6 +40,8 @@ public:
         unsigned reads{0};
         unsigned looked{0};     ///< turns of an identification that is not through
         unsigned identified{0}; ///< turns in all
+        unsigned sets{1};       ///< so many turns a setting takes
+        unsigned set{0};        ///< turns of the last setting
         unsigned written{0};
         bool owes{false};         ///< an answer that may come yet, from when it is identified on
         unsigned kept{0};         ///< so often its turn was
@@ -118,15 +120,22 @@ public:
         return found;
     }
 
-    setting_outcome write(setting_request const& request_, setting_look const& last_look) override
+    std::optional<setting_outcome> write(setting_request const& request_, bool goes_on,
+                                         setting_look const& last_look) override
     {
+        unit& asked = units[request_.device];
+        asked.set = goes_on ? asked.set + 1 : 1;
+        if (asked.set < asked.sets) {
+            refuse_lost();
+            pass(response + asked.takes);
+            return std::nullopt;
+        }
         pass(before_write);
         while_judged();
         if (auto const stopped = last_look()) {
             return *stopped;
         }
         refuse_lost();
-        unit& asked = units[request_.device];
         ++asked.written;
         if (loses_port_in_write) {
             is_gone = true;
@@ -134,7 +143,7 @@ public:
         refuse_lost();
         pass(response);
         asked.held = std::stoll(request_.text);
-        return {setting_result::done, {}, true};
+        return setting_outcome{setting_result::done, {}, true};
     }
 
     exchange_counts const& counts() const override { return counts_; }

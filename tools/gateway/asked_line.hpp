@@ -94,8 +94,11 @@ public:
     /// By one request, sent once, where it is silent as far as anybody knows. In turns, where its responses do not come at once.
     virtual device_finding identify(std::size_t device, bool is_known_silent) = 0;
     virtual part_reading read(std::size_t part) = 0;
-    /// Once, where all that `write` looks at allows it, and `last_look` has nothing against it just before it leaves.
-    virtual setting_outcome write(setting_request const& request, setting_look const& last_look) = 0;
+    /// Once, where all that `write` looks at allows it, and `last_look` has nothing against it just before it leaves. In turns,
+    /// where its device's responses do not come at once: nothing where the rest is for a later one, and nothing is written yet.
+    /// The first turn of a request is none that `goes_on`.
+    virtual std::optional<setting_outcome> write(setting_request const& request, bool goes_on,
+                                                 setting_look const& last_look) = 0;
     /// Nothing where it serves none.
     virtual std::optional<client_counts> clients() const { return {}; }
     /// Since it began, over all that was opened.

@@ -87,15 +87,17 @@ void line_board::answer(setting_request const& request, setting_result result, s
     on_news_();
 }
 
-std::optional<waiting_setting> line_board::take_setting()
+std::optional<waiting_setting> line_board::take_setting(std::function<bool(std::size_t)> const& may_have)
 {
     std::scoped_lock const held{guard_};
-    if (settings_.empty()) {
+    auto const first =
+        std::ranges::find_if(settings_, [&](waiting_setting const& each) { return may_have(each.request.device); });
+    if (first == settings_.end()) {
         return std::nullopt;
     }
-    waiting_setting first = std::move(settings_.front());
-    settings_.erase(settings_.begin());
-    return first;
+    waiting_setting taken = std::move(*first);
+    settings_.erase(first);
+    return taken;
 }
 
 line_state line_board::state() const

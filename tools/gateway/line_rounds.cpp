@@ -65,9 +65,8 @@ void line_rounds::step()
 
 void line_rounds::act()
 {
-    if (auto const setting = board_.take_setting()) { // one, so that many of them starve no reading
-        write(*setting);
-    }
+    take_settings();
+    write_next();      // one, so that many of them starve no reading
     line_.serve_one(); // clients and rounds take turns
     clock::time_point const now = line_.now();
     if (state_.is_up) {
@@ -160,25 +159,36 @@ bool line_rounds::may_ask(device const& which, clock::time_point now) const
 
 void line_rounds::ask_parts(clock::time_point now)
 {
-    part* first = nullptr;
+    if (part* const first = first_due(now)) {
+        ask(*first);
+        return;
+    }
     clock::time_point next = now + longest_wait;
+    for (part const& each : parts_) {
+        next = each.due > now ? std::min(next, each.due) : next;
+    }
+    line_.wait(next);
+}
+
+line_rounds::part* line_rounds::first_due(clock::time_point now)
+{
+    part* first = nullptr;
     for (part& each : parts_) {
-        if (each.due > now) {
-            next = std::min(next, each.due);
-        } else if (not may_ask(devices_[each.what.device], now)) {
+        std::size_t const which = each.what.device;
+        bool const is_set = std::ranges::any_of(settings_, [&](taken_setting const& setting) {
+            return setting.goes_on and setting.what.request.device == which;
+        });
+        if (each.due > now or is_set or not may_ask(devices_[which], now)) {
             continue;
-        } else if (line_.is_left_alone(each.what.device)) {
+        }
+        if (line_.is_left_alone(which)) {
             silent_at_ = now;
-            line_.keep_turn(each.what.device);
-        } else if (first == nullptr or std::max(each.due, each.turn) < std::max(first->due, first->turn)) {
+            line_.keep_turn(which);
+        } else if (first == nullptr or place_of(each) < place_of(*first)) {
             first = &each;
         }
     }
-    if (first == nullptr) {
-        line_.wait(next);
-        return;
-    }
-    ask(*first);
+    return first;
 }
 
 void line_rounds::ask(part& one)
@@ -231,14 +241,7 @@ void line_rounds::look_later(std::size_t which)
     end_turn(which);
 }
 
-void line_rounds::end_turn(std::size_t which)
-{
-    for (part& each : parts_) {
-        if (each.what.device == which) {
-            each.turn = line_.now();
-        }
-    }
-}
+void line_rounds::end_turn(std::size_t which) { devices_[which].turn = line_.now(); }
 
 /// One that says who it is may have been exchanged where it was missed once, or not heard for a while.
 bool line_rounds::may_be_another(std::size_t which) const
@@ -357,6 +360,7 @@ void line_rounds::mark_lost(std::size_t which, std::string const& why)
 {
     device& one = devices_[which];
     one.is_identified = false;
+    one.is_read_next = false;
     one.content.is_available = false;
     one.content.why = why;
     ++one.content.seq;
@@ -386,6 +390,7 @@ bool line_rounds::take(part& one)
     std::size_t const which = one.what.device;
     device& asked = devices_[which];
     auto [found, time, cost] = *std::exchange(one.reading, std::nullopt);
+    asked.is_read_next = false;
     if (not found.has_responded) {
         note_silence(which, found.why, cost);
         if (not asked.is_identified) {
@@ -462,39 +467,116 @@ std::string line_rounds::claim(setting_request const& request)
     return stored_.claim(registers, line_.unix_time(), line_.now());
 }
 
-void line_rounds::write(waiting_setting const& setting)
+bool line_rounds::is_expired(waiting_setting const& setting) const
 {
-    setting_request const& request = setting.request;
-    auto const is_expired = [&] { return line_.now() >= setting.until or line_.unix_time() >= request.expires; };
-    if (is_expired()) {
-        answer(request, setting_result::expired, "it expired before its turn");
+    return line_.now() >= setting.until or line_.unix_time() >= setting.request.expires;
+}
+
+void line_rounds::take_settings()
+{
+    clock::time_point const now = line_.now();
+    auto const may_have = [&](std::size_t which) {
+        return std::ranges::none_of(settings_,
+                                    [&](taken_setting const& each) { return each.what.request.device == which; }) and
+               not(devices_[which].is_read_next and std::ranges::any_of(parts_, [&](part const& each) {
+                       return each.what.device == which and each.due <= now;
+                   }));
+    };
+    while (auto setting = board_.take_setting(may_have)) {
+        settings_.push_back({*std::move(setting)});
+    }
+}
+
+std::optional<setting_outcome> line_rounds::ended_waiting(taken_setting const& setting) const
+{
+    setting_request const& request = setting.what.request;
+    if (is_expired(setting.what)) {
+        return setting_outcome{setting_result::expired, setting.goes_on ? "it expired before it could be written"
+                                                                        : "it expired before its turn"};
+    }
+    if (std::string why = why_away(request); not why.empty()) {
+        return setting_outcome{setting_result::failed, std::move(why)};
+    }
+    if (std::string why = board_.why_replaced(request); not why.empty()) {
+        return setting_outcome{setting_result::refused, std::move(why)};
+    }
+    return std::nullopt;
+}
+
+/// Before what is due of others, but where its device had a turn while they waited.
+void line_rounds::write_next()
+{
+    std::erase_if(settings_, [&](taken_setting const& each) {
+        auto const ended = ended_waiting(each);
+        if (ended) {
+            answer(each.what.request, ended->result, ended->why);
+        }
+        return ended.has_value();
+    });
+    if (settings_.empty()) {
         return;
     }
-    if (std::string const why = why_away(request); not why.empty()) {
-        answer(request, setting_result::failed, why);
+    clock::time_point const now = line_.now();
+    part const* const due = first_due(now);
+    auto next = settings_.end();
+    for (auto each = settings_.begin(); each != settings_.end(); ++each) {
+        std::size_t const which = each->what.request.device;
+        clock::time_point const turn = devices_[which].turn;
+        if (line_.is_left_alone(which)) {
+            silent_at_ = now;
+            line_.keep_turn(which);
+        } else if ((due == nullptr or turn <= place_of(*due)) and
+                   (next == settings_.end() or turn < devices_[next->what.request.device].turn)) {
+            next = each;
+        }
+    }
+    if (next == settings_.end()) {
         return;
     }
+    try {
+        if (not write(*next)) {
+            return;
+        }
+    } catch (...) {
+        settings_.erase(next);
+        throw;
+    }
+    settings_.erase(next);
+}
+
+bool line_rounds::write(taken_setting& setting)
+{
+    setting_request const& request = setting.what.request;
+    device& to = devices_[request.device];
     setting_look const last_look = [&]() -> std::optional<setting_outcome> {
         if (std::string const why = board_.why_replaced(request); not why.empty()) { // while it was judged
             return setting_outcome{setting_result::refused, why};
         }
-        if (std::string const why = is_expired() ? std::string{} : claim(request); not why.empty()) {
+        if (std::string const why = is_expired(setting.what) ? std::string{} : claim(request); not why.empty()) {
             return setting_outcome{setting_result::refused, why};
         }
-        if (is_expired()) { // to note it may take its time, too
+        if (is_expired(setting.what)) { // to note it may take its time, too
             return setting_outcome{setting_result::expired, "it expired before it could be written"};
         }
         return std::nullopt;
     };
     std::optional<setting_outcome> outcome;
     try {
-        outcome = line_.write(request, last_look);
+        outcome = line_.write(request, setting.goes_on, last_look);
     } catch (std::exception const& why) {
         answer(request, setting_result::failed, why.what()); // whatever else: it has its answer, and is not tried again
         throw;
     }
+    if (not outcome or setting.goes_on) {
+        setting.goes_on = to.is_read_next = true;
+        silent_at_ = line_.now();
+        end_turn(request.device);
+    }
+    if (not outcome) {
+        return false;
+    }
     if (outcome->result != setting_result::done) {
-        devices_[request.device].heard = {}; // it may say that it is another
+        to.heard = {}; // it may say that it is another
     }
     if (outcome->was_sent) {
         for (part& each : parts_) { // what it holds now is published soon
@@ -504,6 +586,7 @@ void line_rounds::write(waiting_setting const& setting)
         }
     }
     answer(request, outcome->result, outcome->why);
+    return true;
 }
 
 void line_rounds::answer(setting_request const& request, setting_result result, std::string why)
@@ -513,8 +596,13 @@ void line_rounds::answer(setting_request const& request, setting_result result, 
 
 void line_rounds::end()
 {
-    while (auto const setting = board_.take_setting()) {
-        answer(setting->request, setting_result::refused, "the line ended before its turn");
+    constexpr auto why = "the line ended before its turn";
+    for (taken_setting const& each : settings_) {
+        answer(each.what.request, setting_result::refused, why);
+    }
+    settings_.clear();
+    while (auto const setting = board_.take_setting([](std::size_t) { return true; })) {
+        answer(setting->request, setting_result::refused, why);
     }
 }
 

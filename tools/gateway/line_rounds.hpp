@@ -7,6 +7,7 @@
 // many rounds more. A device is identified before its values count, and again once it was lost.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -52,14 +53,19 @@ private:
         device_part what;
         clock::duration period;
         clock::time_point due;
-        clock::time_point turn{};              ///< its last, of what is not through: behind others that are due
         bool is_read_in_part{false};           ///< some of it had no response, the last time
         std::optional<turn_reading> reading{}; ///< that counts once its device has said who it is
+    };
+    struct taken_setting {
+        waiting_setting what;
+        bool goes_on{false}; ///< it had a turn
     };
     struct device {
         asked_less patience{1, longest_pause};
         bool is_identified{false};
         bool is_looked_at{false};  ///< in turns: its identification is not through
+        bool is_read_next{false};  ///< before another setting: one took turns
+        clock::time_point turn{};  ///< its last, where its responses do not come at once: behind others that are due
         clock::time_point heard{}; ///< last
         bool was_told{false};      ///< that it is lost, or another's
         unsigned misses{0};
@@ -84,6 +90,9 @@ private:
     /// Somebody responded on it, or it has been open for a while: it is no port that hangs up on each request.
     void confirm_port();
     void ask_parts(clock::time_point now);
+    /// Null where none is due that may be asked for.
+    part* first_due(clock::time_point now);
+    clock::time_point place_of(part const& one) const { return std::max(one.due, devices_[one.what.device].turn); }
     bool may_ask(device const& which, clock::time_point now) const;
     bool has_live_ones() const;
     /// Whether each device was met, or is known to be away.
@@ -107,7 +116,14 @@ private:
     void begin_patience(device& one) const;
     void note_silence(std::size_t which, std::string const& why, clock::duration cost);
     void mark_lost(std::size_t which, std::string const& why);
-    void write(waiting_setting const& setting);
+    void take_settings();
+    /// Gives one its turn.
+    void write_next();
+    /// Whether it has its answer, or goes on in a later turn.
+    bool write(taken_setting& setting);
+    bool is_expired(waiting_setting const& setting) const;
+    /// What became of it while it waited for its turn; nothing where it waits still.
+    std::optional<setting_outcome> ended_waiting(taken_setting const& setting) const;
     std::string why_away(setting_request const& request) const;
     /// Why its device may not be written so soon again; empty where it may, which is noted.
     std::string claim(setting_request const& request);
@@ -123,6 +139,7 @@ private:
     stored_writes& stored_;
     std::vector<part> parts_{};
     std::vector<device> devices_{};
+    std::vector<taken_setting> settings_{}; ///< one of a device at most, those that wait longest first
     asked_less port_patience_{1, longest_pause};
     clock::time_point settled_from_{};
     bool was_settled_{false};         ///< behind the round before

@@ -16,7 +16,6 @@
 #include "line/write_log.hpp"
 #include "motion/checked_values.hpp"
 #include "motion/unsafe_write.hpp"
-#include "motion/value_sender.hpp"
 #include "output/plain_text.hpp"
 #include "words/named_value.hpp"
 
@@ -97,7 +96,8 @@ std::string why_unsaid(device_plan const& device)
 } // namespace
 
 opened_line::opened_line(line_plan const& plan, std::function<void(std::string const&)> tell)
-    : plan_{plan}, tell_{std::move(tell)}, has_said_(plan.devices.size()), looks_(plan.devices.size())
+    : plan_{plan}, tell_{std::move(tell)}, has_said_(plan.devices.size()), looks_(plan.devices.size()),
+      settings_(plan.devices.size())
 {
     serve(plan.serve);
     for (device_part& each : parts_of(plan)) {
@@ -184,6 +184,7 @@ void opened_line::close()
 {
     std::ranges::for_each(parts_, &read_part::begin_anew);
     std::ranges::for_each(looks_, &earlier_turns::begin_anew);
+    std::ranges::for_each(settings_, &earlier_turns::begin_anew);
     if (clients_) {
         clients_->end();
     }
@@ -365,7 +366,22 @@ part_reading opened_line::read(std::size_t which)
     return found;
 }
 
-setting_outcome opened_line::write(setting_request const& request, setting_look const& last_look)
+std::optional<setting_outcome> opened_line::write(setting_request const& request, bool goes_on,
+                                                  setting_look const& last_look)
+{
+    device_plan const& device = plan_.devices[request.device];
+    earlier_turns& so_far = settings_[request.device];
+    if (not goes_on) {
+        so_far.begin_anew();
+        looks_[request.device].begin_anew(); // it would be old behind this
+    }
+    note_asked(device);
+    auto outcome = line_->ask_on(so_far, [&] { return set(request, last_look); });
+    hold_clients(device);
+    return outcome;
+}
+
+setting_outcome opened_line::set(setting_request const& request, setting_look const& last_look)
 {
     device_plan const& device = plan_.devices[request.device];
     chosen_register const& which = device.values[request.value].which;
@@ -393,11 +409,22 @@ setting_outcome opened_line::write(setting_request const& request, setting_look 
         }
         if (rules.drive == nullptr) {
             refuse_frame_within(device.unit.unit, values);
-        } else if (auto const why = why_not_now(values, *line_, device.unit.unit, *rules.drive, chosen.allowed)) {
-            return {why->status == exit_status::refused ? setting_result::refused : setting_result::failed,
-                    why->what()};
         }
-        return send(device, values, last_look);
+        held_words const before = read_place(*line_, device.unit.unit, values[0].where);
+        if (before.why == errc::none and values[0].is_held_by(before.words)) {
+            return {setting_result::done, "it is " + values[0].text + " already, and is not written again"};
+        }
+        if (line_->asks_in_turns()) { // seconds ago
+            refuse_exchanged(*line_, device.unit.unit, rules);
+        }
+        line_->ask_rest_at_once();
+        if (rules.drive != nullptr) {
+            if (auto const why = why_not_now(values, *line_, device.unit.unit, *rules.drive, chosen.allowed)) {
+                return {why->status == exit_status::refused ? setting_result::refused : setting_result::failed,
+                        why->what()};
+            }
+        }
+        return send(device, values, before, last_look);
     } catch (ended const& why) {
         if (why.status == exit_status::port) {
             throw;
@@ -407,15 +434,11 @@ setting_outcome opened_line::write(setting_request const& request, setting_look 
     }
 }
 
-setting_outcome opened_line::send(device_plan const& device, std::vector<value_to_write> const& values,
+setting_outcome opened_line::send(device_plan const& device, value_list const& values, held_words const& before,
                                   setting_look const& last_look)
 {
     value_to_write const& value = values[0];
     unit_address const unit = device.unit.unit;
-    held_words const before = read_place(*line_, unit, value.where);
-    if (before.why == errc::none and value.is_held_by(before.words)) {
-        return {setting_result::done, "it is " + value.text + " already, and is not written again"};
-    }
     if (auto stopped = last_look()) {
         return std::move(*stopped);
     }

@@ -13,6 +13,7 @@
 #include "line/open_line.hpp"
 #include "line/register_reader.hpp"
 #include "line_clients.hpp"
+#include "motion/value_sender.hpp"
 #include "words/value_words.hpp"
 
 namespace tool::gateway {
@@ -38,7 +39,8 @@ public:
     void close() override;
     device_finding identify(std::size_t device, bool is_known_silent) override;
     part_reading read(std::size_t part) override;
-    setting_outcome write(setting_request const& request, setting_look const& last_look) override;
+    std::optional<setting_outcome> write(setting_request const& request, bool goes_on,
+                                         setting_look const& last_look) override;
     std::optional<client_counts> clients() const override
     {
         return clients_ ? std::optional{clients_->counts()} : std::nullopt;
@@ -69,7 +71,10 @@ private:
     void note_outcome(device_plan const& device, bool has_responded);
     /// Whether what answers there is what the file says.
     device_finding who_answers(std::size_t device);
-    setting_outcome send(device_plan const& device, std::vector<value_to_write> const& values,
+    /// The same in a turn: it runs from its begin each time.
+    setting_outcome set(setting_request const& request, setting_look const& last_look);
+    /// In one turn, whatever comes.
+    setting_outcome send(device_plan const& device, value_list const& values, held_words const& before,
                          setting_look const& last_look);
     slot_value value_of(device_plan const& device, device_value const& value, register_reader const& from) const;
 
@@ -78,6 +83,7 @@ private:
     std::vector<read_part> parts_{};
     std::vector<bool> has_said_;            ///< of each device with a `vendor`: it has said once that it is that
     std::vector<earlier_turns> looks_;      ///< at each device, that are not through
+    std::vector<earlier_turns> settings_;   ///< of each device, the same
     std::optional<line_clients> clients_{}; ///< outlive the line
     std::optional<open_line> line_{};
     exchange_counts counts_{};

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Settings from MQTT: what is written, what never is, and what each command is answered.
 
-    python3 setting.py GATEWAY TOOL done|replaced|ended|stored|refused|moments|hung|cuts|drive
+    python3 setting.py GATEWAY TOOL done|replaced|late|exchanged|ended|stored|refused|moments|hung|cuts|drive
 
 Behind `cuts`: all, for every moment with both qualities of service.
 """
@@ -11,7 +11,8 @@ import signal
 import threading
 import time
 
-from stand import (LIMIT, SITE, Broker, Client, Folder, Gateway, Proxy, Simulator, Units, a_line, a_meter, flows, meter, moment, runs,
+from devices import OneLate, turns_between
+from stand import (LIMIT, METER, SITE, Broker, Client, Folder, Gateway, Proxy, Simulator, Units, a_line, a_meter, flows, meter, moment, runs,
                    soon, states, text_of, when)
 
 SET, ANSWER = f"{SITE}/line1/meter/set", f"{SITE}/line1/meter/answer"
@@ -136,6 +137,63 @@ def replaced(check, program, _):
             for name, value, _ in sent:
                 told = [each for each in gateway.said().splitlines() if f" {name}={value}: " in each]
                 check(len(told) == 1, f"{name}={value} is told once", told)
+
+
+def late_line(folder, broker, line, identity):
+    """The file of a line with a late device, which has settings, and another one that is read five times as often."""
+    line.identity = identity
+    (folder / "late.toml").write_text(('[device]\nvendor = "Maker"\nproduct = "Meter"\n' if identity else "") + METER, encoding="utf-8")
+    devices = [a_meter(registers=["voltage"], settings=["set_point"], file="late.toml", every=1.0), a_meter("other", 4, registers=["voltage"], every=0.2)]
+    return text_of(broker.port, [a_line(line.name, *devices, timeout=0.5)])
+
+
+def late(check, program, _):
+    """Each of the requests by which a late device is set is a turn between those of others; the last one, and the look at what came of
+    it, follow each other. A late one that has said who it is says so again just before."""
+    for identity in (None, (b"Maker", b"Meter")):
+        with Folder() as folder, Broker(folder) as broker, OneLate({3: meter(), 4: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+            with Gateway(program, folder, late_line(folder, broker, line, identity), "--write"):
+                line.late = 3
+                check(flows(client, count=2) and flows(client, "line1/other"), "values come")
+                ask, before = Asking(check, client), len(line.requests)
+                ask.expect("set_point", 22.5, ("done",), f"{identity}: a setting of a late device", expires=50.0)
+                check([each[1:] for each in line.writes] == [(3, 10, [225])], "is written once", line.writes)
+                asked = [each for _, each in line.requests[before:]]
+                written = [each[:2] for each in asked].index(b"\3\6")
+                other, itself = turns_between(asked[:written], 3, 4)
+                check(other > 3 * itself and other > 3, "in turns", asked)
+                if identity:
+                    said = [i for i, each in enumerate(asked[:written]) if each[:2] == b"\3\x2b"]
+                    behind = [each for each in asked[said[-1]:written] if each[0] == 3]
+                    check({each[1] for each in behind} == {43}, "into one that has just said who it is", behind)
+                check(flows(client) and flows(client, "line1/other"), "values go on")
+                check(len(line.writes) == 1, "and nothing is written later", line.writes)
+
+
+def exchanged(check, program, _):
+    """A late device that is exchanged for one of another type, or goes, between two turns of its setting is not written."""
+    for how in ("other", "silent"):
+        with Folder() as folder, Broker(folder) as broker, OneLate({3: meter(), 4: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+            with Gateway(program, folder, late_line(folder, broker, line, (b"Maker", b"Meter")), "--write"):
+                line.late = 3
+                check(flows(client, count=2), "values come")
+                ask, before = Asking(check, client), len(line.requests)
+                number = ask.send("set_point", 22.5, expires=50.0)
+
+                def behind():  # what the device was asked behind its identification
+                    asked = [each[:2] for _, each in line.requests[before:]]
+                    firsts = [i for i, each in enumerate(asked) if each == b"\3\3"]
+                    return firsts and b"\3\x2b" in asked[:firsts[-1]]
+                check(soon(behind, LIMIT), "it has said who it is")
+                if how == "other":
+                    line.identity = (b"Maker", b"Heater")
+                else:
+                    line.silent = {3}
+                check(soon(lambda: ask.answers("set_point", number), LIMIT), f"{how}: answered")
+                found = [said["result"] for said, _ in ask.answers("set_point", number)]
+                check(found in (["failed"], ["refused"]), f"{how}: once", ask.answers("set_point", number))
+                line.silent = set()
+                check(flows(client, "line1/other", count=20) and not line.writes, f"{how}: nothing is written", line.writes)
 
 
 def ended(check, program, _):
@@ -383,7 +441,7 @@ def drive(check, program, tool):
 
 
 def main(check, program, tool, part, *more):
-    {"done": done, "replaced": replaced, "ended": ended, "stored": stored, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
+    {"done": done, "replaced": replaced, "late": late, "exchanged": exchanged, "ended": ended, "stored": stored, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

@@ -139,10 +139,18 @@ earlier_turns::ending const* open_line::asked_before()
     if (turns_->next_ < turns_->endings_.size()) {
         return &turns_->endings_[turns_->next_++];
     }
-    if (turns_->is_slow_ and turns_->has_asked_) {
+    if (asks_in_turns() and turns_->has_asked_) {
         throw turn_is_over{};
     }
     return nullptr;
+}
+
+void open_line::ask_rest_at_once()
+{
+    if (asks_in_turns() and turns_->has_asked_) {
+        throw turn_is_over{};
+    }
+    turns_ = nullptr;
 }
 
 void open_line::keep_for_later_turns(rtuwire::errc outcome, unsigned long sendings,

@@ -134,9 +134,15 @@ public:
             return std::nullopt;
         } catch (...) {
             begin_turn(nullptr);
+            so_far.begin_anew();
             throw;
         }
     }
+    /// Of what asks in turns: whether some of it may be of an earlier turn.
+    bool asks_in_turns() const { return turns_ != nullptr and turns_->is_slow_; }
+    /// From here on all is asked in one turn, and nothing from the begin again: in this one, or in the next where this one has
+    /// asked what was slow.
+    void ask_rest_at_once();
 
     /// What comes in so long a time, or earlier, answers nothing that is waited for; it may be owed. Ends where the port fails.
     void let_pass(std::chrono::microseconds time);
