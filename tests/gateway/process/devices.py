@@ -3,7 +3,7 @@
 """Devices that fall silent, come back or are replaced, and an adapter that is pulled out: what the gateway says of each, how
 soon, and that no old value is told as a new one.
 
-    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|beside|overtaken|one_function|rested|repeated|pulled|replaced|unnamed|many
+    python3 devices.py GATEWAY TOOL silent|usual|waited|late|divided|met|joined|beside|overtaken|one_function|rested|repeated|pulled|replaced|unnamed|many
 """
 import contextlib
 import json
@@ -230,6 +230,35 @@ def met(check, program, _):
                 check(other > 3 * itself, "and so each later one", line.requests[before:])
                 told = [each.values["voltage"]["value"] for each in states(client, since=since)]
                 check(set(told) == {230.1}, "each is its own", told)
+
+
+class ExchangedInTurns(OneLate):
+    """Unit 3 goes when it is first looked at for the status word of a drive: the next one in its place has one, and the voltage 999.9 V."""
+
+    late, is_gone, is_other = 3, False, False
+    OTHER = {0: 9999, 0x6040: 0, 0x6041: 0x0250}
+
+    def answer(self, request):
+        if request[0] == 3 and not self.is_other:
+            if request[1:4] == b"\3\x60\x41":
+                self.is_gone = True
+                return None
+            if self.is_gone:
+                self.is_other = True
+                self.units[3].update(self.OTHER)
+        return super().answer(request)
+
+
+def joined(check, program, _):
+    """A late device that is exchanged for a drive while it is asked, in turns, who it is: what the one said is not taken for the other."""
+    with Folder() as folder, Broker(folder) as broker, ExchangedInTurns({3: meter(), 4: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        devices = [a_meter(registers=["voltage"]), a_meter("other", 4, registers=["voltage"])]
+        with Gateway(program, folder, text_of(broker.port, [a_line(line.name, *devices, timeout=0.5)])) as gateway:
+            check(soon(lambda: line.is_gone, LIMIT), "it goes")
+            check(soon(lambda: "may be a drive" in gateway.said() or states(client), LIMIT), "another one comes")
+            check(flows(client, "line1/other", count=10), "values of others go on")
+            check("reading it feeds its supervision" in gateway.said(), "it is found to be a drive", gateway.said())
+            check(not [each for each in states(client) if each.values.get("voltage", {}).get("value")], "and not read", states(client))
 
 
 class AllLate(OneLate):
@@ -564,7 +593,7 @@ def many(check, program, tool, lines="10", devices="30", seconds="60"):
 
 
 def main(check, program, tool, part, *more):
-    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "beside": beside, "overtaken": overtaken, "one_function": one_function, "rested": rested, "repeated": repeated, "pulled": pulled, "replaced": replaced, "unnamed": unnamed, "many": many}
+    parts = {"silent": silent, "usual": usual, "waited": waited, "late": late, "divided": divided, "met": met, "joined": joined, "beside": beside, "overtaken": overtaken, "one_function": one_function, "rested": rested, "repeated": repeated, "pulled": pulled, "replaced": replaced, "unnamed": unnamed, "many": many}
     parts[part](check, program, tool, *more)
 
 

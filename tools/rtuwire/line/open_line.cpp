@@ -128,6 +128,7 @@ void open_line::begin_turn(earlier_turns* of)
     if (of != nullptr) {
         of->next_ = 0;
         of->has_asked_ = false;
+        of->is_first_ = of->endings_.empty();
     }
 }
 
@@ -156,6 +157,14 @@ void open_line::ask_rest_at_once()
 void open_line::keep_for_later_turns(rtuwire::errc outcome, unsigned long sendings,
                                      std::chrono::duration<double, std::milli> took)
 {
+    bool const is_lost =
+        outcome != rtuwire::errc::none and not is_refusal_of_unit(outcome) and status_of(outcome) != exit_status::port;
+    std::size_t const which = turns_->endings_.size();
+    bool const was_lost = is_lost ? not turns_->lost_.insert(which).second : turns_->lost_.erase(which) > 0;
+    if (is_lost and not was_lost and not turns_->is_first_) {
+        turns_->endings_.clear();
+        throw turn_is_over{};
+    }
     turns_->endings_.push_back({outcome, outcome == rtuwire::errc::none ? response_ : std::vector<std::byte>{}});
     turns_->next_ = turns_->endings_.size();
     turns_->has_asked_ = true;

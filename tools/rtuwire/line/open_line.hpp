@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +66,8 @@ private:
 
     std::vector<ending> endings_{}; ///< of what was asked, in its order
     std::size_t next_{0};           ///< that is told again in this turn
+    std::set<std::size_t> lost_{};  ///< of what was asked, what had no response the last time
+    bool is_first_{true};           ///< turn
     bool has_asked_{false};         ///< in this turn
     bool is_slow_{false};           ///< some response did not come at once
 };
@@ -119,7 +122,8 @@ public:
 
     /// Runs what asks a unit several things for one turn between those of others: up to the first response that does not come
     /// at once, and from there on each request is a turn. It runs from its begin each time, and what it asked in earlier turns
-    /// ends as it did then. Nothing where the rest is for later turns.
+    /// ends as it did then. Where a later turn has no response, and had one the last time, or was none yet, all is asked anew:
+    /// another unit may be in the place of the one that answered before. Nothing where the rest is for later turns.
     template <typename Questions>
     auto ask_on(earlier_turns& so_far, Questions questions) -> std::optional<decltype(questions())>
     {
