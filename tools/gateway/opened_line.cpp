@@ -410,6 +410,7 @@ setting_outcome opened_line::set(setting_request const& request, setting_look co
         if (rules.drive == nullptr) {
             refuse_frame_within(device.unit.unit, values);
         }
+        line_->ask_anew();
         held_words const before = read_place(*line_, device.unit.unit, values[0].where);
         if (before.why == errc::none and values[0].is_held_by(before.words)) {
             return {setting_result::done, "it is " + values[0].text + " already, and is not written again"};

@@ -34,6 +34,12 @@ void tell_of_supervision()
     }
 }
 
+/// No response of the unit.
+bool is_lost(rtuwire::errc why)
+{
+    return why != rtuwire::errc::none and not is_refusal_of_unit(why) and status_of(why) != exit_status::port;
+}
+
 any_port traced_port(line_choices const& chosen, line_setting const& how)
 {
     exchange_log::open_file(chosen);
@@ -127,6 +133,7 @@ void open_line::begin_turn(earlier_turns* of)
     turns_ = of;
     if (of != nullptr) {
         of->next_ = 0;
+        of->fresh_ = 0;
         of->has_asked_ = false;
         of->is_first_ = of->endings_.empty();
     }
@@ -137,8 +144,19 @@ earlier_turns::ending const* open_line::asked_before()
     if (turns_ == nullptr) {
         return nullptr;
     }
-    if (turns_->next_ < turns_->endings_.size()) {
-        return &turns_->endings_[turns_->next_++];
+    std::vector<earlier_turns::ending> const& endings = turns_->endings_;
+    if (turns_->next_ < endings.size()) {
+        return &endings[turns_->next_++];
+    }
+    auto const is_same = [this](earlier_turns::ending const& each) {
+        return each.request == request_ and not request_.empty() and not is_lost(each.why);
+    };
+    auto const same =
+        std::find_if(endings.begin() + static_cast<std::ptrdiff_t>(turns_->fresh_), endings.end(), is_same);
+    if (asks_in_turns() and same != endings.end()) {
+        turns_->endings_.push_back(earlier_turns::ending{*same});
+        turns_->next_ = endings.size();
+        return &endings.back();
     }
     if (asks_in_turns() and turns_->has_asked_) {
         throw turn_is_over{};
@@ -157,15 +175,14 @@ void open_line::ask_rest_at_once()
 void open_line::keep_for_later_turns(rtuwire::errc outcome, unsigned long sendings,
                                      std::chrono::duration<double, std::milli> took)
 {
-    bool const is_lost =
-        outcome != rtuwire::errc::none and not is_refusal_of_unit(outcome) and status_of(outcome) != exit_status::port;
     std::size_t const which = turns_->endings_.size();
-    bool const was_lost = is_lost ? not turns_->lost_.insert(which).second : turns_->lost_.erase(which) > 0;
-    if (is_lost and not was_lost and not turns_->is_first_) {
+    bool const was_lost = is_lost(outcome) ? not turns_->lost_.insert(which).second : turns_->lost_.erase(which) > 0;
+    if (is_lost(outcome) and not was_lost and not turns_->is_first_) {
         turns_->endings_.clear();
         throw turn_is_over{};
     }
-    turns_->endings_.push_back({outcome, outcome == rtuwire::errc::none ? response_ : std::vector<std::byte>{}});
+    turns_->endings_.push_back(
+        {request_, outcome, outcome == rtuwire::errc::none ? response_ : std::vector<std::byte>{}});
     turns_->next_ = turns_->endings_.size();
     turns_->has_asked_ = true;
     bool const was_missed = took >= rtuwire::to_chrono(options_.response_timeout);

@@ -3,6 +3,7 @@
 // A line that is open, and a client on it.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -60,12 +61,14 @@ private:
     friend class open_line;
 
     struct ending {
+        std::vector<std::byte> request;
         rtuwire::errc why;
         std::vector<std::byte> response; ///< its PDU
     };
 
     std::vector<ending> endings_{}; ///< of what was asked, in its order
     std::size_t next_{0};           ///< that is told again in this turn
+    std::size_t fresh_{0};          ///< none before is told again of a later request
     std::set<std::size_t> lost_{};  ///< of what was asked, what had no response the last time
     bool is_first_{true};           ///< turn
     bool has_asked_{false};         ///< in this turn
@@ -110,20 +113,21 @@ public:
     template <typename Request>
     rtuwire::result<typename Request::response> ask(unit_address const& to, Request const& request)
     {
-        return asked<Request>([&] { return ask_at(to, request); });
+        return asked(request, [&] { return ask_at(to, request); });
     }
     /// The same of a unit of whom nobody expects a response: sent once, at once. What it says may be the answer to something before;
     /// it responds in any case.
     template <typename Request>
     rtuwire::result<typename Request::response> ask_once(rtuwire::unit_id to, Request const& request)
     {
-        return asked<Request>([&] { return answer_to<Request>(request_once<Request>{to, request}); });
+        return asked(request, [&] { return answer_to<Request>(request_once<Request>{to, request}); });
     }
 
     /// Runs what asks a unit several things for one turn between those of others: up to the first response that does not come
     /// at once, and from there on each request is a turn. It runs from its begin each time, and what it asked in earlier turns
-    /// ends as it did then. Where a later turn has no response, and had one the last time, or was none yet, all is asked anew:
-    /// another unit may be in the place of the one that answered before. Nothing where the rest is for later turns.
+    /// ends as it did then, also where it asks the same again. Where a later turn has no response, and had one the last time,
+    /// or was none yet, all is asked anew: another unit may be in the place of the one that answered before. Nothing where
+    /// the rest is for later turns.
     template <typename Questions>
     auto ask_on(earlier_turns& so_far, Questions questions) -> std::optional<decltype(questions())>
     {
@@ -144,6 +148,13 @@ public:
     }
     /// Of what asks in turns: whether some of it may be of an earlier turn.
     bool asks_in_turns() const { return turns_ != nullptr and turns_->is_slow_; }
+    /// From here on nothing ends as the same did that was asked before.
+    void ask_anew()
+    {
+        if (turns_ != nullptr) {
+            turns_->fresh_ = turns_->next_;
+        }
+    }
     /// From here on all is asked in one turn, and nothing from the begin again: in this one, or in the next where this one has
     /// asked what was slow.
     void ask_rest_at_once();
@@ -164,8 +175,14 @@ public:
 private:
     struct turn_is_over {};
 
-    template <typename Request, typename Ask> rtuwire::result<typename Request::response> asked(Ask ask)
+    template <typename Request, typename Ask>
+    rtuwire::result<typename Request::response> asked(Request const& request, Ask ask)
     {
+        if (turns_ != nullptr) {
+            std::array<std::byte, rtuwire::max_adu_size> memory;
+            auto const frame = rtuwire::encode_into(memory, rtuwire::unit_id{1}, request);
+            request_ = frame ? std::vector<std::byte>(frame->begin(), frame->end()) : std::vector<std::byte>{};
+        }
         if (auto const* const before = asked_before()) {
             response_ = before->response;
             if (before->why != rtuwire::errc::none) {
@@ -218,7 +235,8 @@ private:
     exchange_log exchange_;
     rtuwire::blocking_client<any_port, line_needs>::traced_by<exchange_log> client_;
     exchange_counts* counts_{nullptr};
-    earlier_turns* turns_{nullptr}; ///< of what is asked now
+    earlier_turns* turns_{nullptr};    ///< of what is asked now
+    std::vector<std::byte> request_{}; ///< in turns, whoever is asked
     std::vector<std::byte> response_{};
 };
 
