@@ -375,6 +375,7 @@ bool line_rounds::read(part& one)
     std::size_t const which = one.what.device;
     clock::time_point const began = line_.now();
     std::uint64_t const time = line_.unix_time();
+    devices_[which].is_read_next = false;
     part_reading found = line_.read(static_cast<std::size_t>(&one - parts_.data()));
     silent_at_ = found.was_repeated ? line_.now() : silent_at_;
     bool const was_read_in_part = std::exchange(one.is_read_in_part, found.has_responded and found.has_fallen_silent);
@@ -390,7 +391,6 @@ bool line_rounds::take(part& one)
     std::size_t const which = one.what.device;
     device& asked = devices_[which];
     auto [found, time, cost] = *std::exchange(one.reading, std::nullopt);
-    asked.is_read_next = false;
     if (not found.has_responded) {
         note_silence(which, found.why, cost);
         if (not asked.is_identified) {
