@@ -75,9 +75,8 @@ private:
         node& own = any();
         std::size_t const unit = nodes_[0].get() == &own ? 0U : 1U;
         said_.now = now_;
-        switch (chance_.below(30)) {
-        case 29: return sleep_under_a_start(unit);
-        case 28: return stop_others_beside_a_poll();
+        switch (chance_.below(29)) {
+        case 28: return stop_what_is_used_again();
         case 26:
         case 27: return refer_between_frames(own, unit);
         case 24:
@@ -247,25 +246,20 @@ private:
         base::sleep(length);
     }
 
-    /// A second start of a motor that runs is under way, and the program is not scheduled.
-    void sleep_under_a_start(std::size_t unit)
+    /// What is used again is not visited while its drive is stopped.
+    void stop_what_is_used_again()
     {
         std::size_t const place = chance_.below(slots);
-        chance_.below(2) == 0 ? base::begin_start(place, unit) : base::use_again(place);
-        base::pass(chance_.below(300'000));
-        counts_.note(event::slept_under_a_start);
-        base::sleep(200'000 + chance_.below(12'000'000));
-    }
-
-    /// Everyone is stopped, or all but the last one, while that one answers somebody who only reads.
-    void stop_others_beside_a_poll()
-    {
-        std::size_t const place = chance_.below(slots);
-        base::begin_poll(place, how_.drives - 1);
-        slots_[place].asks_again = true;
-        base::pass(chance_.below(8'000));
-        counts_.note(event::others_stopped_beside_a_poll);
-        base::stop_all();
+        slot& own = slots_[place];
+        if (not own.has_told or own.is_away) {
+            return;
+        }
+        base::use_again(place);
+        own.is_paused = true;
+        counts_.note(event::stopped_what_is_used_again);
+        base::begin_stop((place + 1) % slots, own.unit, base::any_way());
+        base::pass(any_time());
+        own.is_paused = false;
     }
 
     void let_another_speak(node& own, std::size_t unit)
@@ -406,17 +400,46 @@ private:
             base::run_in(2 * i);
         }
         base::pass(1'000'000 + chance_.below(2'000'000));
-        std::uint32_t const way = chance_.below(6);
+        std::uint32_t const way = chance_.below(8);
         if (way == 0) {
             give_up_everyone();
         } else if (way == 1) {
             free_everyone();
+        } else if (way == 2) {
+            return stop_others();
+        } else if (way == 3) {
+            sleep_under_second_starts();
         }
         bool is_watched = false;
         for (std::size_t i = 0; i < how_.drives; ++i) {
-            is_watched = give_up(i, way < 2 ? 3 : chance_.below(3)) or is_watched;
+            is_watched = give_up(i, way < 4 ? 3 : chance_.below(3)) or is_watched;
         }
         read_on(is_watched);
+    }
+
+    /// Everyone is stopped, or all but the last one, while each answers somebody who reads on.
+    void stop_others()
+    {
+        counts_.note(event::others_stopped_beside_a_poll);
+        for (std::size_t i = 0; i < how_.drives; ++i) {
+            base::begin_poll(2 * i + 1, i);
+            slots_[2 * i + 1].asks_again = true;
+        }
+        base::pass(chance_.below(8'000));
+        base::stop_all();
+        read_on(false);
+    }
+
+    /// A second start of each is under way when the program sleeps, for longer than that may take, or not.
+    void sleep_under_second_starts()
+    {
+        for (std::size_t i = 0; i < how_.drives; ++i) {
+            base::begin_start(2 * i + 1, i);
+        }
+        base::pass(chance_.below(chance_.below(2) == 0 ? 300'000 : 8'000));
+        counts_.note(event::slept_under_a_start);
+        base::sleep(1'000'000 + chance_.below(6'000'000));
+        base::pass(500'000);
     }
 
     void give_up_everyone()

@@ -150,6 +150,10 @@ DEFECTS = [
     Defect("an order enables a unit while a stop of everyone is under way", [
         (ORDERS, "if (own.holder != 0 or all_.stamp() != 0 or is_late) {", "if (own.holder != 0 or is_late) {")],
         {"a word that enables left while"}),
+    Defect("an order that is given twice in one pass is older than nothing", [
+        ("ask/commander.hpp", "ordered_behind_ = newer_of(former.seen_, former.ordered_behind_);", "ordered_behind_ = former.seen_;"),
+        ("ask/commander.hpp", "        known_ = former.known_;\n", ""),
+    ], MOVED, 3),
 ]
 
 
