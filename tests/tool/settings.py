@@ -8,6 +8,7 @@ import csv
 import json
 import os
 import queue
+import re
 import resource
 import signal
 
@@ -393,10 +394,24 @@ def check_inputs(tool, check):
         check(ended.status == DONE and "1 written" in ended.errors, "which does it", ended)
 
 
+def check_told_to_stop(tool, check):
+    """A drive that this program told to stop still holds that word: it says so, and what helps."""
+    with Simulator(tool.program, "atv320:7") as device:
+        words = ["--port", device, "--no-listen", "-u", "7"]
+        own_file(tool, "slower.json", drive="atv320", HSP=400)
+        check(tool.run(*words, "stop").status == DONE, "a stop on the ramp")
+        restore = [*words, "--write", "restore", "slower.json", "--with-inferred"]
+        ended = tool.run(*restore)
+        shown = re.search(r"`\S+ ([^`]+)`", ended.errors)
+        check(ended.status == REFUSED and "its command is not 0000" in ended.errors and shown, "its word is not 0000", ended)
+        both = [tool.run(*each) for each in (shown[1].split(), restore)]
+        check([each.status for each in both] == [DONE, DONE], "what is shown helps", both)
+
+
 def main(check, program):
     with Tool(program) as tool:
         for part in (check_backup, check_file, check_wrong_drive, check_compare, check_restore, check_refusals, check_cut,
-                     check_interrupt, check_terminal, check_steps, check_whole, check_inputs):
+                     check_interrupt, check_terminal, check_steps, check_whole, check_inputs, check_told_to_stop):
             part(tool, check)
 
 

@@ -199,6 +199,9 @@ private:
     static std::string sentence_for(altivar::reason const& why, restore_record const& record)
     {
         bool const was_not_tried = why.kind == outcome_kind::not_taken and record.count(restore_outcome::differs) == 0;
+        if (why.kind == outcome_kind::overwritten) {
+            return "somebody commands the drive: its command is not 0000";
+        }
         return was_not_tried ? "a setting cannot be written as it is wanted: its row says why" : sentence_of(why);
     }
 
@@ -206,6 +209,10 @@ private:
     {
         if (why.kind == outcome_kind::other_family) {
             return ": the settings are of an " + std::string{settings_.drive->name};
+        }
+        if (why.kind == outcome_kind::overwritten) {
+            return "; if that is what a stop left there, `" + shown_command(chosen_.line, "stop --freewheel") +
+                   "` clears it";
         }
         return why.kind == outcome_kind::unknown_register
                    ? ": this drive does not tell its inputs; see that no run input is closed, and say --inputs-open"
