@@ -642,6 +642,13 @@ TEST_CASE("lines do not ask each other in a ring")
                    {"mbap://127.0.0.1:1501", "mbap://[::1]:1502"}})
               .starts_with("gateway.toml:22:8: port: these lines ask each other, and none of them a device: 'l3' asks "
                            "mbap://127.0.0.1:1501, where 'l2' listens, 'l2' asks"));
+    // However its host is written.
+    for (std::string const host : {"127.1", "0x7f000001", "2130706433", "localhost.", "0"}) {
+        INFO(host);
+        CHECK(refusal({{"mbap://127.0.0.1:1502", "mbap://127.0.0.1:1501"},
+                       {"mbap://" + host + ":1501", "mbap://127.0.0.1:1502"}})
+                  .starts_with("gateway.toml:15:8: port: these lines ask each other"));
+    }
     // By a name that is two addresses.
     CHECK(refusal({{meter_port, "mbap://127.0.0.1:1501"},
                    {"mbap://127.0.0.1:1503", "mbap://[::1]:1501"},

@@ -3,6 +3,9 @@
 #include "serve/client_range.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
 
 #include "../support/platform.hpp"
 #include "port/usage_error.hpp"
@@ -80,6 +83,24 @@ bool client_range::can_reach(std::string const& host) const
 }
 
 bool is_all_here(std::string const& host) { return host == "0.0.0.0" or host == "::"; }
+
+std::string plain_host(std::string host)
+{
+    if (host.ends_with('.')) {
+        host.pop_back();
+    }
+    std::uint32_t const number = host.empty() ? INADDR_NONE : ::inet_addr(host.c_str());
+    if (number == INADDR_NONE) {
+        return host;
+    }
+    std::array<std::uint8_t, 4> bytes{};
+    std::memcpy(bytes.data(), &number, bytes.size());
+    std::string text;
+    for (unsigned const each : bytes) {
+        text += (text.empty() ? "" : ".") + std::to_string(each);
+    }
+    return text;
+}
 
 bool are_one_place(std::string const& one, std::string const& other)
 {

@@ -40,6 +40,9 @@ private:
 /// 0.0.0.0 or ::, at which whoever listens does so at all addresses of this machine.
 [[nodiscard]] bool is_all_here(std::string const& host);
 
+/// The same host as addresses are written here: "127.1" and "0x7f000001" are 127.0.0.1, "localhost." is without its dot.
+[[nodiscard]] std::string plain_host(std::string host);
+
 /// Whether who listens at one of these addresses takes connections to the other, too.
 [[nodiscard]] bool are_one_place(std::string const& one, std::string const& other);
 

@@ -137,9 +137,10 @@ bool is_asked_at(std::string const& word, tcp_address const& at)
     port_description const port = read_port_word(word).port;
     auto const* const numbered = std::get_if<mbap_address>(&port);
     auto const* const plain = std::get_if<tcp_address>(&port);
-    tcp_address const asked = numbered != nullptr ? tcp_address{numbered->host, numbered->port}
-                              : plain != nullptr  ? *plain
-                                                  : tcp_address{};
+    tcp_address asked = numbered != nullptr ? tcp_address{numbered->host, numbered->port}
+                        : plain != nullptr  ? *plain
+                                            : tcp_address{};
+    asked.host = plain_host(asked.host);
     bool const is_name = is_same_word(asked.host, "localhost");
     bool const is_here = is_name or is_all_here(asked.host) or is_loopback(asked.host);
     // Who listens at all addresses has none of other machines.
