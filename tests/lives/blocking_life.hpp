@@ -153,8 +153,11 @@ public:
             port_.trouble = chance_.below(3) == 0 ? port_trouble{} : any_trouble();
             act();
             port_.trouble = {};
-            // Until a unit that was lost may be asked again.
-            constexpr moment longest_pause = 40'000'000;
+            // Until a unit that was lost may be asked again. What was not written may be on the line all the same: where a late
+            // answer comes, it owes one for each of these (docs/engine-rules.md, 18 and 19).
+            moment const of_each =
+                moment{how_.options.response_timeout.microseconds} + how_.options.late_response.microseconds;
+            moment const longest_pause = 40'000'000 + port_.failed() * of_each;
             if (port_.longest_wait() > longest_pause) {
                 accuse(breach::waited_longer);
             }
