@@ -467,9 +467,12 @@ std::string line_rounds::claim(setting_request const& request)
     return stored_.claim(registers, line_.unix_time(), line_.now());
 }
 
-bool line_rounds::is_expired(waiting_setting const& setting) const
+bool line_rounds::is_expired(taken_setting const& setting) const
 {
-    return line_.now() >= setting.until or line_.unix_time() >= setting.request.expires;
+    // What its device owes from the turn before keeps the frame back behind the last look.
+    clock::duration const held_back = setting.goes_on ? longest_hold_in_turns : clock::duration{};
+    waiting_setting const& what = setting.what;
+    return line_.now() + held_back >= what.until or line_.unix_time() >= what.request.expires;
 }
 
 void line_rounds::take_settings()
@@ -490,7 +493,7 @@ void line_rounds::take_settings()
 std::optional<setting_outcome> line_rounds::ended_waiting(taken_setting const& setting) const
 {
     setting_request const& request = setting.what.request;
-    if (is_expired(setting.what)) {
+    if (is_expired(setting)) {
         return setting_outcome{setting_result::expired, setting.goes_on ? "it expired before it could be written"
                                                                         : "it expired before its turn"};
     }
@@ -552,10 +555,10 @@ bool line_rounds::write(taken_setting& setting)
         if (std::string const why = board_.why_replaced(request); not why.empty()) { // while it was judged
             return setting_outcome{setting_result::refused, why};
         }
-        if (std::string const why = is_expired(setting.what) ? std::string{} : claim(request); not why.empty()) {
+        if (std::string const why = is_expired(setting) ? std::string{} : claim(request); not why.empty()) {
             return setting_outcome{setting_result::refused, why};
         }
-        if (is_expired(setting.what)) { // to note it may take its time, too
+        if (is_expired(setting)) { // to note it may take its time, too
             return setting_outcome{setting_result::expired, "it expired before it could be written"};
         }
         return std::nullopt;

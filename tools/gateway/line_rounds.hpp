@@ -83,6 +83,8 @@ private:
     static constexpr unsigned late_readings_told = 3;
     static constexpr std::size_t most_reasons = 4;          ///< of a loss, that are told until it is confirmed
     static constexpr std::chrono::seconds longest_pause{2}; ///< so that who is back is so within 3 s
+    /// What a device that answers 0.3 s too late owes from a turn keeps its next request back for 0.48 s.
+    static constexpr std::chrono::seconds longest_hold_in_turns{1};
 
     void act();
     void open();
@@ -121,7 +123,7 @@ private:
     void write_next();
     /// Whether it has its answer, or goes on in a later turn.
     bool write(taken_setting& setting);
-    bool is_expired(waiting_setting const& setting) const;
+    bool is_expired(taken_setting const& setting) const;
     /// What became of it while it waited for its turn; nothing where it waits still.
     std::optional<setting_outcome> ended_waiting(taken_setting const& setting) const;
     std::string why_away(setting_request const& request) const;

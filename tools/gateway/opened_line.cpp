@@ -412,11 +412,14 @@ setting_outcome opened_line::set(setting_request const& request, setting_look co
         }
         line_->ask_anew();
         held_words const before = read_place(*line_, device.unit.unit, values[0].where);
-        if (before.why == errc::none and values[0].is_held_by(before.words)) {
-            return {setting_result::done, "it is " + values[0].text + " already, and is not written again"};
+        bool const is_held = before.why == errc::none and values[0].is_held_by(before.words);
+        if (is_held or line_->asks_in_turns()) { // what it said may be of another one, seconds ago
+            if (std::string why = why_exchanged(*line_, device.unit.unit, rules); not why.empty()) {
+                return {setting_result::failed, std::move(why)};
+            }
         }
-        if (line_->asks_in_turns()) { // seconds ago
-            refuse_exchanged(*line_, device.unit.unit, rules);
+        if (is_held) {
+            return {setting_result::done, "it is " + values[0].text + " already, and is not written again"};
         }
         line_->ask_rest_at_once();
         if (rules.drive != nullptr) {
@@ -425,7 +428,7 @@ setting_outcome opened_line::set(setting_request const& request, setting_look co
                         why->what()};
             }
         }
-        return send(device, values, before, last_look);
+        return send(device, values, rules, before, last_look);
     } catch (ended const& why) {
         if (why.status == exit_status::port) {
             throw;
@@ -435,8 +438,8 @@ setting_outcome opened_line::set(setting_request const& request, setting_look co
     }
 }
 
-setting_outcome opened_line::send(device_plan const& device, value_list const& values, held_words const& before,
-                                  setting_look const& last_look)
+setting_outcome opened_line::send(device_plan const& device, value_list const& values, write_rules const& rules,
+                                  held_words const& before, setting_look const& last_look)
 {
     value_to_write const& value = values[0];
     unit_address const unit = device.unit.unit;
@@ -455,7 +458,14 @@ setting_outcome opened_line::send(device_plan const& device, value_list const& v
     std::string const is = after.why == errc::none ? value.text_of_words(after.words) : "unknown";
     bool const is_held = after.why == errc::none and value.is_held_by(after.words);
     setting_outcome done{setting_result::done, note, true};
-    if (not is_held or is_refusal_to_write(outcome)) {
+    // What answers behind a response that was lost may be another one, which holds the same.
+    std::string const other = is_held and outcome != errc::none and not is_refusal_to_write(outcome)
+                                  ? why_exchanged(*line_, unit, rules)
+                                  : std::string{};
+    if (not other.empty()) {
+        done.result = setting_result::failed;
+        done.why = failure + "; " + other;
+    } else if (not is_held or is_refusal_to_write(outcome)) {
         done.result = is_refusal_to_write(outcome) ? setting_result::refused : setting_result::failed;
         done.why = outcome != errc::none     ? failure
                    : after.why != errc::none ? "it could not be read back: " + after.failure

@@ -74,8 +74,8 @@ private:
     /// The same in a turn: it runs from its begin each time.
     setting_outcome set(setting_request const& request, setting_look const& last_look);
     /// In one turn, whatever comes.
-    setting_outcome send(device_plan const& device, value_list const& values, held_words const& before,
-                         setting_look const& last_look);
+    setting_outcome send(device_plan const& device, value_list const& values, write_rules const& rules,
+                         held_words const& before, setting_look const& last_look);
     slot_value value_of(device_plan const& device, device_value const& value, register_reader const& from) const;
 
     line_plan const& plan_;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Settings from MQTT: what is written, what never is, and what each command is answered.
 
-    python3 setting.py GATEWAY TOOL done|replaced|late|exchanged|ended|stored|refused|moments|hung|cuts|drive
+    python3 setting.py GATEWAY TOOL done|replaced|late|exchanged|holds|ended|stored|refused|moments|hung|cuts|drive
 
 Behind `cuts`: all, for every moment with both qualities of service.
 """
@@ -197,6 +197,36 @@ def exchanged(check, program, _):
                 check(found in (["failed"], ["refused"]), f"{how}: once", ask.answers("set_point", number))
                 line.silent = set()
                 check(flows(client, "line1/other", count=20) and not line.writes, f"{how}: nothing is written", line.writes)
+
+
+class TakesItsPlace(OneLate):
+    """Another device is there from a moment on, with the same registers and what they hold."""
+
+    behind = None  # "said": once who it is was asked again; "written": at the request that writes, whose response is lost
+
+    def answer(self, request):
+        found = super().answer(request)
+        if self.behind == "said" and request[1] == 43:
+            self.identity, self.behind = (b"Maker", b"Heater"), None
+        if self.behind == "written" and request[1] in (6, 16):
+            self.identity, self.behind = (b"Maker", b"Heater"), None
+            return None
+        return found
+
+
+def holds(check, program, _):
+    """A device that is exchanged for one of another type, which holds the value, is not told to be set."""
+    for behind, value in (("said", 20.0), ("written", 22.5)):
+        with Folder() as folder, Broker(folder) as broker, TakesItsPlace({3: meter(), 4: meter()}) as line, \
+                Client(broker.port, "rtuwire/#") as client:
+            line.units[3][10] = 200
+            with Gateway(program, folder, late_line(folder, broker, line, (b"Maker", b"Meter")), "--write"):
+                check(flows(client, count=2), "values come")
+                ask = Asking(check, client)
+                ask.expect("set_point", 20.0, ("done",), "held already", says="already", expires=50.0)
+                line.behind = behind
+                ask.expect("set_point", value, ("failed",), f"{behind}: by another one", says="Heater", expires=50.0)
+                check(len(line.writes) == (behind == "written"), f"{behind}: written once at most", line.writes)
 
 
 def ended(check, program, _):
@@ -444,7 +474,7 @@ def drive(check, program, tool):
 
 
 def main(check, program, tool, part, *more):
-    {"done": done, "replaced": replaced, "late": late, "exchanged": exchanged, "ended": ended, "stored": stored, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
+    {"done": done, "replaced": replaced, "late": late, "exchanged": exchanged, "holds": holds, "ended": ended, "stored": stored, "refused": refused, "moments": moments, "hung": hung, "cuts": cuts, "drive": drive}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

@@ -451,21 +451,21 @@ write_rules rules_to_write(open_line& line, named_unit const& unit, permissions 
     return rules_of_no_drive(line, unit, who, allowed);
 }
 
-void refuse_exchanged(open_line& line, unit_address unit, write_rules const& rules)
+std::string why_exchanged(open_line& line, unit_address unit, write_rules const& rules)
 {
     if (rules.says == text_of(identity_words{})) {
-        return;
+        return {};
     }
     identity_words now;
     errc const why = read_identity(line, unit, now);
     if (status_of(why) == exit_status::port) {
         throw ended{exit_status::port, line.port().failure()};
     }
-    if (why != errc::none or text_of(now) != rules.says) {
-        throw ended{exit_status::differs,
-                    "unit " + std::to_string(unit.byte()) + " has said that it is '" + rules.says + "', and now " +
-                        (why == errc::none ? "that it is '" + text_of(now) + '\'' : line.words_of_failure(why))};
+    if (why == errc::none and text_of(now) == rules.says) {
+        return {};
     }
+    return "unit " + std::to_string(unit.byte()) + " has said that it is '" + rules.says + "', and now " +
+           (why == errc::none ? "that it is '" + text_of(now) + '\'' : line.words_of_failure(why));
 }
 
 write_rules rules_of_whoever(open_line& line, named_unit const& unit, permissions const& allowed,

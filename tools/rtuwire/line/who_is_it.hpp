@@ -78,8 +78,9 @@ struct write_rules {
 /// that calls itself a drive of another family than the one that was said, or another device than its register file is of.
 write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed);
 
-/// Ends the command where a unit that said who it is when these rules were made does not say the same now.
-void refuse_exchanged(open_line& line, unit_address unit, write_rules const& rules);
+/// Why a unit that said who it is when these rules were made may be another one now: it does not say the same. Empty where it
+/// does, or said nothing then. Ends the command where the port fails.
+std::string why_exchanged(open_line& line, unit_address unit, write_rules const& rules);
 
 /// The rules by what the unit tells of itself alone: of the table of the drive that it is, else as of one that was said to be
 /// none. A type that somebody said only keeps another from being taken for it. `asked`: as for `who_is_it`.
