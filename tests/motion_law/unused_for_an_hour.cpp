@@ -213,49 +213,58 @@ TEST_CASE("motion law: L15 no order is done of a drive that stopped itself while
     CHECK(changes > 3);
 }
 
-TEST_CASE("motion law: L15 a start that failed behind such a stop leaves no motor running that nothing else would stop")
+namespace {
+
+/// A drive that its line does not stop, and a program that is stopped for longer than it takes for that to be noticed.
+struct unwatched {
+    std::uint16_t sll;
+    supervision_risks accepted;
+    std::uint64_t pause;
+    bool loses_response; ///< the one before which the program is stopped
+    client_options options;
+    duration limit;
+};
+
+/// A start is done, or its motor has no power, before whichever response the program is stopped; how many of the starts failed.
+unsigned failed_starts(unwatched const& how)
 {
     constexpr std::uint16_t sll = 7'010, tto = 6'005;
-    constexpr register_block<1> ignored{0}, three_seconds{30};
-    supervision_options const risky{.risks = {.accept_unsupervised = true}};
+    register_block<1> const reaction{how.sll}, three_seconds{30};
     unsigned failed = 0;
     bool is_over = false;
     for (unsigned in_time = 0; not is_over; ++in_time) {
         INFO("stopped before response " << in_time);
         drive_port port;
-        REQUIRE(port.unit.drive().write(sll, ignored) == errc::none);
+        port.loses_that = how.loses_response;
+        REQUIRE(port.unit.drive().write(sll, reaction) == errc::none);
         REQUIRE(port.unit.drive().write(tto, three_seconds) == errc::none);
-        blocking_client line{port, timing, {.response_timeout = milliseconds(100), .retries = 1}};
-        start go{motor, 30_Hz, run_direction::forward, milliseconds(3'000), risky};
-        auto const has_power = says_so(port, line, go, in_time, minute); // longer than any time-out
+        blocking_client line{port, timing, how.options};
+        start go{motor, 30_Hz, run_direction::forward, how.limit, {.risks = how.accepted}};
+        auto const has_power = says_so(port, line, go, in_time, how.pause);
         is_over = not has_power;
         failed += is_over or go.succeeded() ? 0U : 1U;
         CHECK((is_over or go.succeeded() == *has_power));
     }
-    CHECK(failed > 0);
+    return failed;
 }
 
-TEST_CASE("motion law: L15 so does one whose response was lost besides, and that may run no motor any more")
+} // namespace
+
+TEST_CASE("motion law: L15 a start that failed behind such a stop leaves no motor running that nothing else would stop")
 {
-    constexpr std::uint16_t sll = 7'010, tto = 6'005;
-    constexpr register_block<1> keeps_speed{5}, three_seconds{30};
-    supervision_options const risky{.risks = {.accept_running_on = true}};
-    unsigned ended = 0;
-    bool is_over = false;
-    for (unsigned in_time = 0; not is_over; ++in_time) {
-        INFO("stopped before response " << in_time);
-        drive_port port;
-        port.loses_that = true;
-        REQUIRE(port.unit.drive().write(sll, keeps_speed) == errc::none);
-        REQUIRE(port.unit.drive().write(tto, three_seconds) == errc::none);
-        blocking_client line{port, timing, {.response_timeout = milliseconds(100), .retries = 0}};
-        start go{motor, 30_Hz, run_direction::forward, milliseconds(30'000), risky};
-        auto const has_power = says_so(port, line, go, in_time, 5'000'000);
-        is_over = not has_power;
-        ended += is_over or go.succeeded() ? 0U : 1U;
-        CHECK((is_over or go.succeeded() == *has_power));
-    }
-    CHECK(ended > 0);
+    CHECK(failed_starts({.sll = 0,
+                         .accepted = {.accept_unsupervised = true},
+                         .pause = minute, // longer than any time-out
+                         .loses_response = false,
+                         .options = {.response_timeout = milliseconds(100), .retries = 1},
+                         .limit = milliseconds(3'000)}) > 0);
+    // One that looks again, and may give no word any more.
+    CHECK(failed_starts({.sll = 5,
+                         .accepted = {.accept_running_on = true},
+                         .pause = 5'000'000,
+                         .loses_response = true,
+                         .options = {.response_timeout = milliseconds(100), .retries = 0},
+                         .limit = milliseconds(30'000)}) > 0);
 }
 
 TEST_CASE("motion law: L4 reads keep no motor running behind a second start that ended while its program was stopped")

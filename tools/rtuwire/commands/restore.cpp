@@ -198,10 +198,10 @@ private:
     /// What could not even be tried ends a restore as what reads back otherwise does.
     static std::string sentence_for(altivar::reason const& why, restore_record const& record)
     {
-        bool const was_not_tried = why.kind == outcome_kind::not_taken and record.count(restore_outcome::differs) == 0;
         if (why.kind == outcome_kind::overwritten) {
             return "somebody commands the drive: its command is not 0000";
         }
+        bool const was_not_tried = why.kind == outcome_kind::not_taken and record.count(restore_outcome::differs) == 0;
         return was_not_tried ? "a setting cannot be written as it is wanted: its row says why" : sentence_of(why);
     }
 

@@ -149,7 +149,7 @@ earlier_turns::ending const* open_line::asked_before()
         return &endings[turns_->next_++];
     }
     auto const is_same = [this](earlier_turns::ending const& each) {
-        return each.request == request_ and not request_.empty() and not is_lost(each.why);
+        return each.request == request_ and request_.size() > 1 and not is_lost(each.why);
     };
     auto const same =
         std::find_if(endings.begin() + static_cast<std::ptrdiff_t>(turns_->fresh_), endings.end(), is_same);

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -113,14 +114,14 @@ public:
     template <typename Request>
     rtuwire::result<typename Request::response> ask(unit_address const& to, Request const& request)
     {
-        return asked(request, [&] { return ask_at(to, request); });
+        return asked(to.byte(), request, [&] { return ask_at(to, request); });
     }
     /// The same of a unit of whom nobody expects a response: sent once, at once. What it says may be the answer to something before;
     /// it responds in any case.
     template <typename Request>
     rtuwire::result<typename Request::response> ask_once(rtuwire::unit_id to, Request const& request)
     {
-        return asked(request, [&] { return answer_to<Request>(request_once<Request>{to, request}); });
+        return asked(to.byte(), request, [&] { return answer_to<Request>(request_once<Request>{to, request}); });
     }
 
     /// Runs what asks a unit several things for one turn between those of others: up to the first response that does not come
@@ -176,12 +177,13 @@ private:
     struct turn_is_over {};
 
     template <typename Request, typename Ask>
-    rtuwire::result<typename Request::response> asked(Request const& request, Ask ask)
+    rtuwire::result<typename Request::response> asked(std::uint8_t unit, Request const& request, Ask ask)
     {
         if (turns_ != nullptr) {
             std::array<std::byte, rtuwire::max_adu_size> memory;
             auto const frame = rtuwire::encode_into(memory, rtuwire::unit_id{1}, request);
             request_ = frame ? std::vector<std::byte>(frame->begin(), frame->end()) : std::vector<std::byte>{};
+            request_.push_back(std::byte{unit}); // the frame is as of any unit, also where the only one is asked at 0
         }
         if (auto const* const before = asked_before()) {
             response_ = before->response;
@@ -236,7 +238,7 @@ private:
     rtuwire::blocking_client<any_port, line_needs>::traced_by<exchange_log> client_;
     exchange_counts* counts_{nullptr};
     earlier_turns* turns_{nullptr};    ///< of what is asked now
-    std::vector<std::byte> request_{}; ///< in turns, whoever is asked
+    std::vector<std::byte> request_{}; ///< in turns, and its unit
     std::vector<std::byte> response_{};
 };
 
