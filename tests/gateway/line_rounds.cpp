@@ -446,12 +446,6 @@ TEST_CASE("what ends a setting between two of its turns is its one answer, and t
         on.rounds.step();
         CHECK(on.answer().result == setting_result::expired);
     }
-    SECTION("what its device owes may hold its frame back until then")
-    {
-        on.line.pass(1600ms);
-        on.rounds.step();
-        CHECK(on.answer().result == setting_result::expired);
-    }
     SECTION("a newer one")
     {
         on.submit(limit, "22", 10s, "second");

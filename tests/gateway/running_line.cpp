@@ -3,6 +3,8 @@
 // Lines in threads of their own, on simulated ports: values, settings, others in a place, a reload.
 #include "../../tools/gateway/running_line.hpp"
 
+#include "../../tools/gateway/opened_line.hpp"
+
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -197,6 +199,44 @@ TEST_CASE("settings are judged as write judges them, written once and read back"
     }
     CHECK(line.device(0)->values[set_point].value == cell{21.5});
     CHECK(std::filesystem::exists(on.folder.path("rtuwire/writes.log")));
+}
+
+TEST_CASE("a setting that expires behind its last look, before its frame leaves, is not written")
+{
+    lines_of_folder on;
+    gateway_plan const plan = on.plan(line_text(
+        "l1", "sim:" + on.file + ":3", device_text("m", 3, "file = \"./meter.toml\"\nsettings = [\"set_point\"]")));
+    opened_line line{*plan.lines[0], [](std::string const&) {}};
+    line.open();
+    REQUIRE(line.identify(0, false).what == device_finding::kind::right);
+    waiting_setting setting{{0, set_point, "21.5", unix_now() + 30'000'000}, line.now() + std::chrono::seconds{30}};
+    unsigned looks = 0;
+    auto const written = [&](std::function<void()> const& behind_look) {
+        auto outcome = line.write(setting, false, [&]() -> std::optional<setting_outcome> {
+            ++looks;
+            behind_look();
+            return std::nullopt;
+        });
+        REQUIRE(outcome);
+        return *std::move(outcome);
+    };
+    waiting_setting const fresh = setting;
+    for (bool const by_calendar : {true, false}) {
+        CAPTURE(by_calendar);
+        setting = fresh;
+        setting_outcome const late = written([&] {
+            setting.request.expires = by_calendar ? unix_now() : setting.request.expires;
+            setting.until = by_calendar ? setting.until : line.now();
+        });
+        CHECK(late.result == setting_result::expired);
+        CHECK_FALSE(late.was_sent);
+    }
+    setting = fresh;
+    setting.request.text = "20"; // it holds that
+    CHECK(written([] {}).why.find("already") != std::string::npos);
+    setting = fresh;
+    CHECK(written([] {}).result == setting_result::done); // and the line goes on
+    CHECK(looks == 3);
 }
 
 TEST_CASE("a drive is identified before its values count, and another one in its place is marked")

@@ -120,10 +120,10 @@ public:
         return found;
     }
 
-    std::optional<setting_outcome> write(setting_request const& request_, bool goes_on,
+    std::optional<setting_outcome> write(waiting_setting const& setting, bool goes_on,
                                          setting_look const& last_look) override
     {
-        unit& asked = units[request_.device];
+        unit& asked = units[setting.request.device];
         asked.set = goes_on ? asked.set + 1 : 1;
         if (asked.set < asked.sets) {
             refuse_lost();
@@ -142,7 +142,7 @@ public:
         }
         refuse_lost();
         pass(response);
-        asked.held = std::stoll(request_.text);
+        asked.held = std::stoll(setting.request.text);
         return setting_outcome{setting_result::done, {}, true};
     }
 

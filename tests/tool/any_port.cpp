@@ -291,6 +291,20 @@ TEST_CASE("what was written is known to have been taken, or not to have gone any
     CHECK(port.write(std::array<std::byte, 1>{}, test::soon()));
     CHECK(port.has_taken_last());
     CHECK_FALSE(port.failure().empty());
+
+    struct : port_attendant {
+        void wait(int, instant) override {}
+        bool is_over() const override { return false; }
+        bool may_send() const override { return may; }
+        bool may{false};
+    } attendant;
+    port.attend(attendant);
+    REQUIRE(far.read(place, test::soon())->size() == 1);
+    CHECK(port.write(std::array<std::byte, 2>{}, test::soon()) == errc::cancelled);
+    CHECK_FALSE(port.has_taken_last());
+    attendant.may = true;
+    CHECK(port.write(std::array<std::byte, 3>{}, test::soon()));
+    CHECK(far.read(place, test::soon())->size() == 3);
 }
 
 TEST_CASE("what does not open says so with its name")

@@ -94,10 +94,10 @@ public:
     /// By one request, sent once, where it is silent as far as anybody knows. In turns, where its responses do not come at once.
     virtual device_finding identify(std::size_t device, bool is_known_silent) = 0;
     virtual part_reading read(std::size_t part) = 0;
-    /// Once, where all that `write` looks at allows it, and `last_look` has nothing against it just before it leaves. In turns,
-    /// where its device's responses do not come at once: nothing where the rest is for a later one, and nothing is written yet.
-    /// The first turn of a request is none that `goes_on`.
-    virtual std::optional<setting_outcome> write(setting_request const& request, bool goes_on,
+    /// Once, where all that `write` looks at allows it, `last_look` has nothing against it when all else is done, and it has not
+    /// expired when its frame leaves. In turns, where its device's responses do not come at once: nothing where the rest is for a
+    /// later one, and nothing is written yet. The first turn of a request is none that `goes_on`.
+    virtual std::optional<setting_outcome> write(waiting_setting const& setting, bool goes_on,
                                                  setting_look const& last_look) = 0;
     /// Nothing where it serves none.
     virtual std::optional<client_counts> clients() const { return {}; }

@@ -19,12 +19,6 @@
 
 namespace tool::gateway {
 
-/// A request that waits for its turn; expired by the calendar, or by the clock that nobody sets.
-struct waiting_setting {
-    setting_request request;
-    std::chrono::steady_clock::time_point until;
-};
-
 class line_board {
 public:
     using clock = std::chrono::steady_clock;

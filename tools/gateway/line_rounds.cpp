@@ -469,10 +469,7 @@ std::string line_rounds::claim(setting_request const& request)
 
 bool line_rounds::is_expired(taken_setting const& setting) const
 {
-    // What its device owes from the turn before keeps the frame back behind the last look.
-    clock::duration const held_back = setting.goes_on ? longest_hold_in_turns : clock::duration{};
-    waiting_setting const& what = setting.what;
-    return line_.now() + held_back >= what.until or line_.unix_time() >= what.request.expires;
+    return setting.what.is_expired(line_.now(), line_.unix_time());
 }
 
 void line_rounds::take_settings()
@@ -494,8 +491,7 @@ std::optional<setting_outcome> line_rounds::ended_waiting(taken_setting const& s
 {
     setting_request const& request = setting.what.request;
     if (is_expired(setting)) {
-        return setting_outcome{setting_result::expired, setting.goes_on ? "it expired before it could be written"
-                                                                        : "it expired before its turn"};
+        return setting_outcome{setting_result::expired, setting.goes_on ? why_too_late : "it expired before its turn"};
     }
     if (std::string why = why_away(request); not why.empty()) {
         return setting_outcome{setting_result::failed, std::move(why)};
@@ -559,13 +555,13 @@ bool line_rounds::write(taken_setting& setting)
             return setting_outcome{setting_result::refused, why};
         }
         if (is_expired(setting)) { // to note it may take its time, too
-            return setting_outcome{setting_result::expired, "it expired before it could be written"};
+            return setting_outcome{setting_result::expired, why_too_late};
         }
         return std::nullopt;
     };
     std::optional<setting_outcome> outcome;
     try {
-        outcome = line_.write(request, setting.goes_on, last_look);
+        outcome = line_.write(setting.what, setting.goes_on, last_look);
     } catch (std::exception const& why) {
         answer(request, setting_result::failed, why.what()); // whatever else: it has its answer, and is not tried again
         throw;

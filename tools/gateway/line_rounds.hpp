@@ -83,8 +83,6 @@ private:
     static constexpr unsigned late_readings_told = 3;
     static constexpr std::size_t most_reasons = 4;          ///< of a loss, that are told until it is confirmed
     static constexpr std::chrono::seconds longest_pause{2}; ///< so that who is back is so within 3 s
-    /// What a device that answers 0.3 s too late owes from a turn keeps its next request back for 0.48 s.
-    static constexpr std::chrono::seconds longest_hold_in_turns{1};
 
     void act();
     void open();

@@ -86,6 +86,18 @@ std::string why_invalid(device_value const& value, reading const& it, std::vecto
 /// By which values are read, and so what may be taken for another's.
 bool reads_registers(std::byte function) { return function <= std::byte{4}; }
 
+/// So long as it lives, a setting may leave.
+class on_its_way {
+public:
+    on_its_way(waiting_setting const*& place, waiting_setting const& setting) : place_{place} { place_ = &setting; }
+    on_its_way(on_its_way const&) = delete;
+    on_its_way& operator=(on_its_way const&) = delete;
+    ~on_its_way() { place_ = nullptr; }
+
+private:
+    waiting_setting const*& place_;
+};
+
 /// Of one that has said who it is before.
 std::string why_unsaid(device_plan const& device)
 {
@@ -366,23 +378,25 @@ part_reading opened_line::read(std::size_t which)
     return found;
 }
 
-std::optional<setting_outcome> opened_line::write(setting_request const& request, bool goes_on,
+std::optional<setting_outcome> opened_line::write(waiting_setting const& setting, bool goes_on,
                                                   setting_look const& last_look)
 {
-    device_plan const& device = plan_.devices[request.device];
-    earlier_turns& so_far = settings_[request.device];
+    std::size_t const which = setting.request.device;
+    device_plan const& device = plan_.devices[which];
+    earlier_turns& so_far = settings_[which];
     if (not goes_on) {
         so_far.begin_anew();
-        looks_[request.device].begin_anew(); // it would be old behind this
+        looks_[which].begin_anew(); // it would be old behind this
     }
     note_asked(device);
-    auto outcome = line_->ask_on(so_far, [&] { return set(request, last_look); });
+    auto outcome = line_->ask_on(so_far, [&] { return set(setting, last_look); });
     hold_clients(device);
     return outcome;
 }
 
-setting_outcome opened_line::set(setting_request const& request, setting_look const& last_look)
+setting_outcome opened_line::set(waiting_setting const& setting, setting_look const& last_look)
 {
+    setting_request const& request = setting.request;
     device_plan const& device = plan_.devices[request.device];
     chosen_register const& which = device.values[request.value].which;
     std::string const label = label_of(which);
@@ -428,7 +442,7 @@ setting_outcome opened_line::set(setting_request const& request, setting_look co
                         why->what()};
             }
         }
-        return send(device, values, rules, before, last_look);
+        return send(setting, values, rules, before, last_look);
     } catch (ended const& why) {
         if (why.status == exit_status::port) {
             throw;
@@ -438,9 +452,10 @@ setting_outcome opened_line::set(setting_request const& request, setting_look co
     }
 }
 
-setting_outcome opened_line::send(device_plan const& device, value_list const& values, write_rules const& rules,
+setting_outcome opened_line::send(waiting_setting const& setting, value_list const& values, write_rules const& rules,
                                   held_words const& before, setting_look const& last_look)
 {
+    device_plan const& device = plan_.devices[setting.request.device];
     value_to_write const& value = values[0];
     unit_address const unit = device.unit.unit;
     if (auto stopped = last_look()) {
@@ -448,7 +463,13 @@ setting_outcome opened_line::send(device_plan const& device, value_list const& v
     }
     std::string note;
     // Once: what became of a request without a response is read, and nothing is written again.
-    errc const outcome = value_sender{*line_, unit, device.drive != nullptr}.send(values, note);
+    errc const outcome = [&] {
+        on_its_way const mark{sent_, setting};
+        return value_sender{*line_, unit, device.drive != nullptr}.send(values, note);
+    }();
+    if (outcome == errc::cancelled) { // what the unit owed, or what was heard, has kept it back
+        return {setting_result::expired, why_too_late};
+    }
     std::string failure = outcome == errc::none ? std::string{} : line_->words_of_failure(outcome);
     if (status_of(outcome) == exit_status::port) {
         throw ended{exit_status::port, "written or not, nobody knows: " + failure};

@@ -39,7 +39,7 @@ public:
     void close() override;
     device_finding identify(std::size_t device, bool is_known_silent) override;
     part_reading read(std::size_t part) override;
-    std::optional<setting_outcome> write(setting_request const& request, bool goes_on,
+    std::optional<setting_outcome> write(waiting_setting const& setting, bool goes_on,
                                          setting_look const& last_look) override;
     std::optional<client_counts> clients() const override
     {
@@ -64,6 +64,7 @@ private:
     device_finding look_at(std::size_t device, bool is_known_silent);
     void wait(int descriptor, rtuwire::instant until) override;
     bool is_over() const override { return false; }
+    bool may_send() const override { return sent_ == nullptr or not sent_->is_expired(now(), unix_time()); }
     bool wait_for_bytes(int descriptor, std::chrono::microseconds time);
     void note_asked(device_plan const& device);
     /// While what a device owes may come, clients ask it nothing of which that could be taken for the answer.
@@ -72,9 +73,9 @@ private:
     /// Whether what answers there is what the file says.
     device_finding who_answers(std::size_t device);
     /// The same in a turn: it runs from its begin each time.
-    setting_outcome set(setting_request const& request, setting_look const& last_look);
+    setting_outcome set(waiting_setting const& setting, setting_look const& last_look);
     /// In one turn, whatever comes.
-    setting_outcome send(device_plan const& device, value_list const& values, write_rules const& rules,
+    setting_outcome send(waiting_setting const& setting, value_list const& values, write_rules const& rules,
                          held_words const& before, setting_look const& last_look);
     slot_value value_of(device_plan const& device, device_value const& value, register_reader const& from) const;
 
@@ -84,6 +85,7 @@ private:
     std::vector<bool> has_said_;            ///< of each device with a `vendor`: it has said once that it is that
     std::vector<earlier_turns> looks_;      ///< at each device, that are not through
     std::vector<earlier_turns> settings_;   ///< of each device, the same
+    waiting_setting const* sent_{nullptr};  ///< no frame of it leaves once it has expired
     std::optional<line_clients> clients_{}; ///< outlive the line
     std::optional<open_line> line_{};
     exchange_counts counts_{};

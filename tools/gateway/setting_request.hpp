@@ -3,6 +3,7 @@
 // A value that somebody wants in a register, on its way to the line, and what came of it.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -32,6 +33,19 @@ constexpr std::string_view name_of(setting_result result) noexcept
     }
     return "failed";
 }
+
+/// A request that waits for its turn; expired by the calendar, or by the clock that nobody sets.
+struct waiting_setting {
+    setting_request request;
+    std::chrono::steady_clock::time_point until;
+
+    bool is_expired(std::chrono::steady_clock::time_point now, std::uint64_t unix_time) const
+    {
+        return now >= until or unix_time >= request.expires;
+    }
+};
+
+inline constexpr char why_too_late[] = "it expired before it could be written";
 
 /// Each request has one.
 struct setting_answer {

@@ -126,7 +126,7 @@ std::string const& any_port::failure() const noexcept
 
 result<void> any_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
 {
-    if (attendant_ != nullptr and attendant_->is_over()) {
+    if (attendant_ != nullptr and (attendant_->is_over() or not attendant_->may_send())) {
         has_taken_last_ = false;
         return errc::cancelled;
     }

@@ -29,6 +29,8 @@ public:
     virtual void wait(int descriptor, rtuwire::instant until) = 0;
     /// Whether nothing is to be waited for any more, and nothing sent.
     [[nodiscard]] virtual bool is_over() const = 0;
+    /// Whether a frame may leave now.
+    [[nodiscard]] virtual bool may_send() const { return true; }
 };
 
 /// A port. Can be moved; its destructor closes it, and ends the drives that were simulated for it.
@@ -65,7 +67,8 @@ public:
     /// that was wanted since it was opened.
     [[nodiscard]] rtuwire::line_timing timing() const noexcept { return timing_; }
 
-    /// From here on it waits by this one, which outlives it. Once that is over, reads and writes end with `cancelled`.
+    /// From here on it waits by this one, which outlives it. Once that is over, reads and writes end with `cancelled`;
+    /// so does a write that it does not let leave.
     void attend(port_attendant& attendant) noexcept { attendant_ = &attendant; }
 
     /// The system's number of it, for `poll`; -1 where none is open.
