@@ -624,6 +624,23 @@ TEST_CASE("what a silent device takes of the line is no reason for longer period
     CHECK(on.count(event_kind::note) == 1);
 }
 
+TEST_CASE("a device that was away has no round left out once it is back, whatever the moment")
+{
+    for (unsigned i = 0; i < 40; ++i) {
+        CAPTURE(i);
+        rounds_on_line on{2};
+        on.run_for(10s + i * 50ms);
+        on.line.units[1].is_there = false;
+        on.run_for(12s);
+        std::uint64_t const before = on.board.state().overruns;
+        on.line.units[1].is_there = true;
+        on.run_for(30s);
+        CHECK(on.board.device(1)->is_available);
+        CHECK(on.board.state().overruns == before);
+        CHECK(on.count(event_kind::note) == 0);
+    }
+}
+
 TEST_CASE("that a device answers too late is told once, where it does so again and again")
 {
     rounds_on_line on{2};

@@ -152,7 +152,7 @@ TEST_CASE("nothing is given before there is a connection, and then what is newes
     CHECK(one.all().empty());
     one.gives.connected();
     auto const all = one.all();
-    CHECK(all.front() == outgoing_message{"rtuwire/hall3/g1/status", "online", true});
+    CHECK(all.front() == outgoing_message{"rtuwire/hall3/g1/status", "online", true, true});
     CHECK(texts_on(all, "line1/availability") == texts{"online"});
     CHECK(texts_on(all, "line1/meter1/availability") == texts{"online"});
     CHECK(texts_on(all, "line1/meter2/availability") == texts{"offline"});

@@ -319,6 +319,10 @@ device_finding::kind line_rounds::identify(std::size_t which)
         }
         return wrong;
     }
+    for (part& each : parts_) { // while it was away none of its rounds was left out
+        bool const is_met = each.what.device == which and not one.is_identified;
+        each.due = is_met ? std::max(each.due, began) : each.due;
+    }
     one.is_identified = true;
     one.heard = line_.now();
     return right;

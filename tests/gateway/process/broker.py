@@ -3,7 +3,7 @@
 """What a broker, and the way to it, can do to a gateway: every value that arrives is as new as it says, and all comes right
 again by itself.
 
-    python3 broker.py GATEWAY TOOL killed|frozen|slow|half_open|tls|packets|bytes [NUMBER]
+    python3 broker.py GATEWAY TOOL killed|frozen|slow|half_open|tls|denied|packets|bytes [NUMBER]
     python3 broker.py GATEWAY TOOL name HANGING_LOOKUP
 
 NUMBER: seconds that the broker is frozen; of packets and bytes, each how many-th cut is made.
@@ -287,6 +287,23 @@ def tls(check, program, _):
                 check(ended.returncode == 2 and "no.pem" in ended.stderr, "an authority that is not there is refused", ended)
 
 
+def denied(check, program, _):
+    """A broker whose list gives a user other topics, or discovery to nobody, drops what comes without a word: the gateway says so."""
+    for allowed, refused in ((["elsewhere/#"], f"{SITE}/status"), (["rtuwire/#"], "homeassistant/"), (["#"], None)):
+        with Folder() as folder, Units({3: meter()}) as line:
+            rules = folder / "acl"
+            rules.write_text("".join(f"topic readwrite {each}\n" for each in allowed), encoding="utf-8")
+            rules.chmod(0o644)
+            with Broker(folder, f"acl_file {rules}") as broker, \
+                    Gateway(program, folder, text_of(broker.port, [a_line(line.name, METER_ONLY)])) as gateway:
+                if refused:
+                    check(soon(lambda: f"it refuses {refused}" in gateway.said(), LIMIT), f"{refused}: refused, and told", gateway.said())
+                else:
+                    with Client(broker.port, "#") as client:
+                        all_there(check, client, "all is allowed")
+                    check("it refuses" not in gateway.said(), "and nothing is refused", gateway.said())
+
+
 def name(check, program, _, hanging):
     """The broker has a name, and its name server says nothing: all else goes on."""
     with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
@@ -322,7 +339,7 @@ def name(check, program, _, hanging):
 
 def main(check, program, tool, part, *more):
     {"killed": killed, "frozen": frozen, "slow": slow, "half_open": half_open, "tls": tls, "packets": packets,
-     "bytes": bytes_, "name": name}[part](check, program, tool, *more)
+     "bytes": bytes_, "denied": denied, "name": name}[part](check, program, tool, *more)
 
 
 if __name__ == "__main__":

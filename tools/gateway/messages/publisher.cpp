@@ -65,7 +65,7 @@ void publisher::connected()
 {
     is_connected_ = true;
     has_ended_ = false;
-    queue_.push_front({names_.status(), availability_text(true), true});
+    queue_.push_front({names_.status(), availability_text(true), true, true});
     to_take_back_.assign(stale_.begin(), stale_.end());
     std::ranges::for_each(lines_, [this](line_look& each) { publish_anew(each); });
     discovered_ = 0;
@@ -145,6 +145,7 @@ std::optional<outgoing_message> publisher::next_discovery(time now)
     if (discovered_ == values_.size()) {
         return std::nullopt;
     }
+    bool const is_first = discovered_ == 0; // whether the broker takes them
     auto const [line, device, value] = values_[discovered_++];
     line_plan const& of_line = *lines_[line].feed.plan;
     device_plan const& of_device = of_line.devices[device];
@@ -155,7 +156,7 @@ std::optional<outgoing_message> publisher::next_discovery(time now)
         }
     }
     retained_message made = discovery_of(plan_, of_line, of_device, of_device.values[value], may_write_);
-    return outgoing_message{std::move(made.topic), std::move(made.text), true};
+    return outgoing_message{std::move(made.topic), std::move(made.text), true, is_first};
 }
 
 std::optional<outgoing_message> publisher::next_of_line(line_look& line, time now)

@@ -33,7 +33,7 @@ struct outgoing_message {
     std::string topic;
     std::string text;
     bool is_retained{false};
-    bool must_arrive{false}; ///< by QoS 1: `arrived` tells that it did
+    bool must_arrive{false}; ///< by QoS 1: the broker says whether it takes it
 
     friend bool operator==(outgoing_message const&, outgoing_message const&) = default;
 };

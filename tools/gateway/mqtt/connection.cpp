@@ -29,6 +29,7 @@ namespace {
 constexpr std::size_t most_messages = 256; ///< that came and were not taken
 constexpr int most_bytes = 65'536;         ///< on their way, before another message is given
 constexpr int most_bytes_of_values = 8'192;
+constexpr int first_reason = 128; ///< of those for which a broker of MQTT 5 refuses something
 
 std::atomic<int> threads_left{0}; ///< that begin a connection
 
@@ -36,7 +37,6 @@ char const* path_or_null(std::string const& path) { return path.empty() ? nullpt
 
 std::string error_of(int code)
 {
-    constexpr int first_reason = 128; // of those that a broker of MQTT 5 gives
     std::string text = code == MOSQ_ERR_ERRNO ? std::strerror(errno)
                        : code >= first_reason ? mosquitto_reason_string(code)
                                               : mosquitto_strerror(code);
@@ -215,7 +215,7 @@ void connection::listen_to_library()
     mosquitto_disconnect_callback_set(client, &connection::on_disconnect);
     mosquitto_subscribe_callback_set(client, &connection::on_subscribe);
     mosquitto_message_callback_set(client, &connection::on_message);
-    mosquitto_publish_callback_set(client, &connection::on_publish);
+    mosquitto_publish_v5_callback_set(client, &connection::on_publish);
     mosquitto_unsubscribe_callback_set(client, &connection::on_unsubscribe);
     mosquitto_log_callback_set(client, &connection::on_log);
 }
@@ -333,6 +333,8 @@ std::deque<arrived_message> connection::take_messages() { return std::exchange(m
 
 std::vector<std::string> connection::take_arrived() { return std::exchange(arrived_, {}); }
 
+std::vector<std::string> connection::take_refused() { return std::exchange(refused_, {}); }
+
 void connection::close()
 {
     is_closing_ = true;
@@ -380,8 +382,8 @@ void connection::on_subscribe(mosquitto*, void* self, int, int count, int const*
 {
     auto& one = *static_cast<connection*>(self);
     one.subscribing_ -= one.subscribing_ > 0 ? 1 : 0;
-    one.is_subscription_refused_ =
-        one.is_subscription_refused_ or std::any_of(granted, granted + count, [](int each) { return each >= 128; });
+    one.is_subscription_refused_ = one.is_subscription_refused_ or
+                                   std::any_of(granted, granted + count, [](int each) { return each >= first_reason; });
 }
 
 void connection::on_message(mosquitto*, void* self, mosquitto_message const* message)
@@ -395,11 +397,15 @@ void connection::on_message(mosquitto*, void* self, mosquitto_message const* mes
     }
 }
 
-void connection::on_publish(mosquitto*, void* self, int id)
+void connection::on_publish(mosquitto*, void* self, int id, int reason, mqtt5__property const*)
 {
     auto& one = *static_cast<connection*>(self);
     if (auto const found = one.in_flight_.find(id); found != one.in_flight_.end()) {
-        one.arrived_.push_back(std::move(found->second));
+        if (reason < first_reason) {
+            one.arrived_.push_back(std::move(found->second));
+        } else {
+            one.refused_.push_back(found->second + ": " + error_of(reason));
+        }
         one.in_flight_.erase(found);
     }
 }

@@ -17,6 +17,7 @@
 
 struct mosquitto;
 struct mosquitto_message;
+struct mqtt5__property;
 
 namespace tool::gateway {
 
@@ -88,6 +89,8 @@ public:
     [[nodiscard]] bool is_complete() const { return is_complete_; }
     /// The topics of messages that had to arrive and did.
     [[nodiscard]] std::vector<std::string> take_arrived();
+    /// Those that the broker has refused, with its reason. Only one of MQTT 5 says so.
+    [[nodiscard]] std::vector<std::string> take_refused();
 
     /// Tells the broker that it ends as it should: it publishes no will.
     void close();
@@ -97,7 +100,7 @@ private:
     static void on_disconnect(mosquitto* of, void* self, int code);
     static void on_subscribe(mosquitto* of, void* self, int id, int count, int const* granted);
     static void on_message(mosquitto* of, void* self, mosquitto_message const* message);
-    static void on_publish(mosquitto* of, void* self, int id);
+    static void on_publish(mosquitto* of, void* self, int id, int reason, mqtt5__property const* more);
     static void on_unsubscribe(mosquitto* of, void* self, int id);
     static void on_log(mosquitto* of, void* self, int level, char const* text);
 
@@ -138,6 +141,7 @@ private:
     std::deque<arrived_message> messages_{};
     std::map<int, std::string> in_flight_{}; ///< of messages that have to arrive
     std::vector<std::string> arrived_{};
+    std::vector<std::string> refused_{};
 };
 
 /// Whether a thread is left behind that begins a connection: what it uses has to stay until the program is gone, which no

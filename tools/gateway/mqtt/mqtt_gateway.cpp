@@ -249,6 +249,10 @@ void mqtt_gateway::look_at_connection()
             keep_record();
         }
     }
+    for (std::string const& each : connection_->take_refused()) {
+        tell("note", broker_name() + ": it refuses " + each +
+                         "; its list for this user may drop values and answers as well, without a word");
+    }
     if (connection_->has_ended()) {
         lose_connection();
     } else if (connection_->is_name_late()) {
