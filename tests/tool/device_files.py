@@ -34,8 +34,9 @@ def check_shipped(tool, check):
     alone = tool.place / "bin" / "rtuwire"
     alone.parent.mkdir()
     shutil.copy(tool.program, alone)
-    ended = subprocess.run([alone, "device", "check", "sdm630"], check=False, capture_output=True, text=True)
-    check(f"looked for in {tool.place}/share/rtuwire/devices, which is not there" in ended.stderr, "a program without its files", ended)
+    for words in (["device", "check", "sdm630"], ["-p", "sim:sdm630:1", "read", "4"]):
+        ended = subprocess.run([alone, *words], check=False, capture_output=True, text=True)
+        check(f"looked for in {tool.place}/share/rtuwire/devices, which is not there" in ended.stderr, "a program without its files", ended)
     ended = tool.run("-p", f"sim:{meter}:1", "--device", meter, "read", "voltage")
     check(ended.status == USAGE and "did you mean" in ended.errors and "voltage_l1" in ended.errors, "the name that begins so", ended)
     for word in ("../devices/sdm630", "sdm630.toml", "./sdm630"):

@@ -266,7 +266,7 @@ def tls(check, program, _):
                 take(name)
                 broker.again()
                 with Gateway(program, folder, text) as gateway:
-                    check(soon(lambda: "ertificate" in gateway.said() or "TLS" in gateway.said(), LIMIT), f"{what} is told",
+                    check(soon(lambda: "certificate" in gateway.said() and "for this host" in gateway.said(), LIMIT), f"{what} is told",
                           gateway.said())
                     asked = len(line.requests)
                     check(soon(lambda: len(line.requests) > asked + 4, LIMIT), "the line is asked all the same")

@@ -52,8 +52,9 @@ int bytes_on_their_way(int socket)
 
 std::string failure_of(int code, std::string const& library_error)
 {
-    std::string const error = error_of(code);
-    return library_error.empty() ? error : error + " (" + library_error + ')';
+    bool const is_wrong_certificate = library_error.find("certificate verify failed") != std::string::npos;
+    return error_of(code) + (library_error.empty() ? "" : " (" + library_error + ')') +
+           (is_wrong_certificate ? ": it has to be of an authority in ca_file, of today, and for this host" : "");
 }
 
 } // namespace

@@ -76,6 +76,15 @@ std::vector<std::string> device_file_names()
     return known;
 }
 
+std::string words_of_missing_folder()
+{
+    fs::path const shipped = folder_of_program();
+    std::error_code ignored;
+    return shipped.empty() or fs::is_directory(shipped, ignored)
+               ? std::string{}
+               : "; those that come with the program are looked for in " + shipped.string() + ", which is not there";
+}
+
 std::string path_of_device(std::string const& word)
 {
     if (word.find_first_of("./") != word.npos) {
@@ -90,13 +99,8 @@ std::string path_of_device(std::string const& word)
     for (std::string const& each : known) {
         all += (all.empty() ? "; there is " : ", ") + each;
     }
-    fs::path const shipped = folder_of_program();
-    std::error_code ignored;
-    if (not shipped.empty() and not fs::is_directory(shipped, ignored)) {
-        all += "; those that come with the program are looked for in " + shipped.string() + ", which is not there";
-    }
     refuse_word("there is no register file called '" + word + "'" + suggestion(word, views) + all +
-                "; a file of yours has a path: ./" + word + " or " + word + ".toml");
+                words_of_missing_folder() + "; a file of yours has a path: ./" + word + " or " + word + ".toml");
 }
 
 } // namespace tool

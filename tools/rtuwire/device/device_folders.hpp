@@ -15,6 +15,10 @@ namespace tool {
 /// The names of all of them, sorted.
 [[nodiscard]] std::vector<std::string> device_file_names();
 
+/// Where those that come with the program would be, if they are not there: "; ... looked for in ..., which is not there"; else
+/// empty.
+[[nodiscard]] std::string words_of_missing_folder();
+
 /// The path of a register file. A word with a point or a slash is one; else it is the name of a file of a folder, without
 /// ".toml". Refuses a name that no folder has, with the nearest.
 [[nodiscard]] std::string path_of_device(std::string const& word);

@@ -99,7 +99,8 @@ void add(simulated_words& found, drive_word const& at)
         for (std::string const& each : files) {
             found.why += each + ", ";
         }
-        found.why += "or a path such as meter.toml";
+        found.why +=
+            (files.empty() ? "a path such as meter.toml" : "or a path such as meter.toml") + words_of_missing_folder();
         found.nearest = nearest.empty() ? "" : at.with(nearest + std::string{at.word().substr(colon)});
         return;
     }
