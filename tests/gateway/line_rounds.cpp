@@ -335,6 +335,36 @@ TEST_CASE("what a slow device said counts once it has said who it is, in turns w
         CHECK(value().value == cell{std::int64_t{222}});
         CHECK(value().time == read_at);
     }
+    SECTION("unless it is set meanwhile")
+    {
+        slow.sets = 3;
+        on.submit(limit, "333", 30s);
+        while (slow.written == 0) {
+            on.rounds.step();
+            CHECK_FALSE(value().value == cell{std::int64_t{222}});
+        }
+        CHECK(on.answer().result == setting_result::done);
+        std::uint64_t const done_at = on.line.unix_time();
+        while (on.line.unix_time() < done_at + 10'000'000) {
+            on.rounds.step();
+            CHECK_FALSE(value().value == cell{std::int64_t{222}});
+        }
+        CHECK(value().value == cell{std::int64_t{333}});
+        CHECK(value().time >= done_at - 1'000'000);
+    }
+    SECTION("and before each further setting")
+    {
+        slow.sets = 3;
+        for (unsigned i = 0; i < 40; ++i) { // one behind the other
+            on.submit(limit, std::to_string(400 + i), 30s);
+            unsigned const written = slow.written;
+            std::uint64_t const seq = on.board.device(0)->seq;
+            while (slow.written == written) {
+                on.rounds.step();
+            }
+            CHECK((i == 0 or on.board.device(0)->seq > seq));
+        }
+    }
     SECTION("another one")
     {
         slow.is_other = true;
@@ -396,6 +426,27 @@ TEST_CASE("a setting of a device whose responses do not come at once is written 
     CHECK(on.answer().id == "second");
     CHECK(on.board.device(0)->is_available);
     CHECK(on.count(event_kind::note) == 0);
+}
+
+TEST_CASE("a setting that waits behind another of its device is told to have expired when it has")
+{
+    rounds_on_line on{2};
+    on.run_for(5s);
+    timed_line::unit& slow = on.line.units[0];
+    slow.takes = 1s;
+    slow.sets = 20;
+    on.submit(limit, "21", 60s, "first");
+    on.submit(level, "3", 5s, "second");
+    on.run_for(9s);
+    CHECK(slow.set > 1);
+    CHECK(slow.written == 0);
+    setting_answer const second = on.answer();
+    CHECK(second.id == "second");
+    CHECK(second.result == setting_result::expired);
+    CHECK(second.why == "it expired before its turn");
+    CHECK(seconds_after(second.time, first_second) <= 12);
+    on.run_for(50s);
+    CHECK(on.answer().id == "first");
 }
 
 TEST_CASE("a setting whose device owes an answer waits for that, and keeps the turn")

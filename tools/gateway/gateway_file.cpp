@@ -462,7 +462,7 @@ private:
         if (toml::node const* const ranges = said->get("from")) {
             toml::array const* const list = ranges->as_array();
             if (list == nullptr or list->empty() or not list->is_homogeneous<std::string>()) {
-                refuse(ranges->source(), "from is a list of addresses: from = [\"192.168.1.0/24\"]");
+                refuse(ranges->source(), "from is a list of addresses, one at least: from = [\"192.168.1.0/24\"]");
             }
             for (toml::node const& each : *list) {
                 to.from.push_back(each.as_string()->get());
@@ -656,7 +656,8 @@ private:
         }
         toml::array const* const list = value->as_array();
         if (list == nullptr or list->empty() or not list->is_homogeneous<std::string>()) {
-            refuse(value->source(), std::string{key} + " is a list of names: " + std::string{key} + " = [\"...\"]");
+            refuse(value->source(),
+                   std::string{key} + " is a list of names, one at least: " + std::string{key} + " = [\"...\"]");
         }
         for (toml::node const& each : *list) {
             std::string const& word = each.as_string()->get();
@@ -727,7 +728,8 @@ private:
         }
         toml::array const* const list = groups->as_array();
         if (list == nullptr or list->empty() or not list->is_homogeneous<toml::table>()) {
-            refuse(groups->source(), "groups is a list of tables: groups = [{ registers = [\"...\"], every = 60.0 }]");
+            refuse(groups->source(),
+                   "groups is a list of tables, one at least: groups = [{ registers = [\"...\"], every = 60.0 }]");
         }
         std::vector<chosen_register> grouped;
         for (toml::node const& each : *list) {

@@ -87,11 +87,10 @@ void line_board::answer(setting_request const& request, setting_result result, s
     on_news_();
 }
 
-std::optional<waiting_setting> line_board::take_setting(std::function<bool(std::size_t)> const& may_have)
+std::optional<waiting_setting> line_board::take_setting(std::function<bool(waiting_setting const&)> const& may_be_taken)
 {
     std::scoped_lock const held{guard_};
-    auto const first =
-        std::ranges::find_if(settings_, [&](waiting_setting const& each) { return may_have(each.request.device); });
+    auto const first = std::ranges::find_if(settings_, may_be_taken);
     if (first == settings_.end()) {
         return std::nullopt;
     }

@@ -35,8 +35,8 @@ public:
     void tell(line_event event);
     /// For whoever asked, and for the log.
     void answer(setting_request const& request, setting_result result, std::string why, std::uint64_t unix_time);
-    /// The one that waits longest of the devices that may have one.
-    std::optional<waiting_setting> take_setting(std::function<bool(std::size_t)> const& may_have);
+    /// The one that waits longest of those that may be taken.
+    std::optional<waiting_setting> take_setting(std::function<bool(waiting_setting const&)> const& may_be_taken);
     /// Why one that was taken is not to be written any more: one of the same register waits behind it. Empty where none does.
     std::string why_replaced(setting_request const& request) const;
 

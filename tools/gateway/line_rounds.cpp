@@ -379,7 +379,6 @@ bool line_rounds::read(part& one)
     std::size_t const which = one.what.device;
     clock::time_point const began = line_.now();
     std::uint64_t const time = line_.unix_time();
-    devices_[which].is_read_next = false;
     part_reading found = line_.read(static_cast<std::size_t>(&one - parts_.data()));
     silent_at_ = found.was_repeated ? line_.now() : silent_at_;
     bool const was_read_in_part = std::exchange(one.is_read_in_part, found.has_responded and found.has_fallen_silent);
@@ -395,6 +394,7 @@ bool line_rounds::take(part& one)
     std::size_t const which = one.what.device;
     device& asked = devices_[which];
     auto [found, time, cost] = *std::exchange(one.reading, std::nullopt);
+    asked.is_read_next = false;
     if (not found.has_responded) {
         note_silence(which, found.why, cost);
         if (not asked.is_identified) {
@@ -486,7 +486,10 @@ void line_rounds::take_settings()
                        return each.what.device == which and each.due <= now;
                    }));
     };
-    while (auto setting = board_.take_setting(may_have)) {
+    auto const is_to_go = [&](waiting_setting const& each) {
+        return may_have(each.request.device) or each.is_expired(now, line_.unix_time());
+    };
+    while (auto setting = board_.take_setting(is_to_go)) {
         settings_.push_back({*std::move(setting)});
     }
 }
@@ -563,6 +566,11 @@ bool line_rounds::write(taken_setting& setting)
         }
         return std::nullopt;
     };
+    for (part& each : parts_) { // it would be old behind this, and what was set seem to jump back
+        if (each.what.device == request.device) {
+            each.reading.reset();
+        }
+    }
     std::optional<setting_outcome> outcome;
     try {
         outcome = line_.write(setting.what, setting.goes_on, last_look);
@@ -604,7 +612,7 @@ void line_rounds::end()
         answer(each.what.request, setting_result::refused, why);
     }
     settings_.clear();
-    while (auto const setting = board_.take_setting([](std::size_t) { return true; })) {
+    while (auto const setting = board_.take_setting([](waiting_setting const&) { return true; })) {
         answer(setting->request, setting_result::refused, why);
     }
 }
