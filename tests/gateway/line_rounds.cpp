@@ -692,6 +692,20 @@ TEST_CASE("a device that was away has no round left out once it is back, whateve
     }
 }
 
+TEST_CASE("that nobody knows who a device is is told once, and it is read all the same")
+{
+    rounds_on_line on{2};
+    on.line.units[1].is_unsure = true;
+    on.run_for(5s);
+    CHECK(on.count(event_kind::note) == 1);
+    on.line.units[1].is_there = false;
+    on.run_for(10s);
+    on.line.units[1].is_there = true;
+    on.run_for(10s);
+    CHECK(on.board.device(1)->is_available);
+    CHECK(on.count(event_kind::note) == 0);
+}
+
 TEST_CASE("that a device answers too late is told once, where it does so again and again")
 {
     rounds_on_line on{2};

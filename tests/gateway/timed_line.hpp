@@ -31,6 +31,7 @@ public:
         bool is_there{true};
         bool is_other{false};
         bool is_invalid{false};
+        bool is_unsure{false};
         bool is_late{false};
         bool loses_one{false};    ///< response, before it answers the repetition
         bool falls_silent{false}; ///< behind its next response, when it is asked for more
@@ -97,7 +98,9 @@ public:
             return {device_finding::kind::open, {}};
         }
         asked.looked = 0;
-        return asked.is_other ? device_finding{device_finding::kind::wrong, "another device"} : device_finding{};
+        return asked.is_other    ? device_finding{device_finding::kind::wrong, "another device"}
+               : asked.is_unsure ? device_finding{device_finding::kind::right, "who knows"}
+                                 : device_finding{};
     }
 
     part_reading read(std::size_t part) override

@@ -51,7 +51,7 @@ struct device_finding {
     };
 
     kind what{kind::right};
-    std::string why{};
+    std::string why{}; ///< or what there is to know of the right one; may be empty
 };
 
 struct setting_outcome {

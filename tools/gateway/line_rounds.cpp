@@ -325,6 +325,9 @@ device_finding::kind line_rounds::identify(std::size_t which)
     }
     one.is_identified = true;
     one.heard = line_.now();
+    if (not found.why.empty() and not std::exchange(one.was_doubt_told, true)) {
+        tell(event_kind::note, plan_.devices[which].name, found.why);
+    }
     return right;
 }
 

@@ -71,7 +71,8 @@ private:
         unsigned misses{0};
         unsigned late_readings{0}; ///< in a row
         bool was_lateness_told{false};
-        unsigned losses{0}; ///< within a minute, of which the first was
+        bool was_doubt_told{false}; ///< of who it is
+        unsigned losses{0};         ///< within a minute, of which the first was
         clock::time_point first_lost{};
         clock::time_point wrong_until{};
         slot_content content{};

@@ -302,6 +302,11 @@ device_finding opened_line::who_answers(std::size_t which)
     std::string why =
         is_said ? why_another_device(unit, who, device.names->vendor, device.names->product) : std::string{};
     has_said_[which] = has_said_[which] or (is_said and why.empty());
+    if (not is_said) {
+        return {device_finding::kind::right,
+                "it does not say who it is (function 43), as its register file has it: another "
+                "one in its place is found by a silence alone"};
+    }
     return found(std::move(why));
 }
 

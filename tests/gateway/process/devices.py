@@ -561,6 +561,12 @@ def unnamed(check, program, _):
                       f"{how}: it is told that another one is there", [each.message for each in states(client)[-2:]])
                 check(not soon(lambda: any(each.values["voltage"].get("value") == 99.9 for each in states(client) if "voltage" in each.values), 3),
                       f"{how}: no value of it is told", [each.message for each in states(client)[-2:]])
+    # One that never says it is read, and that nobody can tell it from another is said once.
+    with Folder() as folder, Broker(folder) as broker, Units({3: meter()}) as line, Client(broker.port, "rtuwire/#") as client:
+        (folder / "named.toml").write_text('[device]\nvendor = "Maker"\nproduct = "Meter"\n' + METER, encoding="utf-8")
+        with Gateway(program, folder, text_of(broker.port, [a_line(line.name, a_meter(registers=["voltage"], file="named.toml"))])) as gateway:
+            check(flows(client), "never said: values come")
+            check(gateway.said().count("does not say who it is") == 1, "and that is told, once", gateway.said())
 
 
 def many(check, program, tool, lines="10", devices="30", seconds="60"):
