@@ -140,8 +140,7 @@ private:
     stored_writes& stored_;
     std::vector<part> parts_{};
     std::vector<device> devices_{};
-    std::vector<taken_setting>
-        settings_{}; ///< one of a device at most, and what has expired, those that wait longest first
+    std::vector<taken_setting> settings_{}; ///< one of a device at most and what has expired, the oldest first
     asked_less port_patience_{1, longest_pause};
     clock::time_point settled_from_{};
     bool was_settled_{false};         ///< behind the round before
