@@ -192,7 +192,7 @@ TEST_CASE("a setting of choices, or of a bit, is a list")
     CHECK(one.message(true)["options"] == json::array({"off", "on"}));
 }
 
-TEST_CASE("two devices that discovery would take for one are told")
+TEST_CASE("two devices, or values, that discovery would take for one are told")
 {
     gateway_plan plan;
     plan.site = "s";
@@ -210,4 +210,13 @@ TEST_CASE("two devices that discovery would take for one are told")
     plan.broker.discovery = "homeassistant";
     plan.lines.pop_back();
     CHECK(why_no_discovery(plan).empty());
+
+    auto two = std::make_shared<line_plan>();
+    two->name = "l";
+    for (auto const& [device, value] : {std::pair{"d", "a_b"}, {"d_a", "b"}}) {
+        two->devices.push_back(device_named(device));
+        two->devices.back().values = {{.name = value, .which = {}}};
+    }
+    plan.lines.push_back(two);
+    CHECK(why_no_discovery(plan).find("l/d/a_b and l/d_a/b are both s_g_l_d_a_b") == 0);
 }

@@ -66,6 +66,8 @@ std::string node_of(gateway_plan const& plan, line_plan const& line, device_plan
     return plan.site + '_' + plan.gateway + '_' + line.name + '_' + device.name;
 }
 
+std::string entity_of(std::string const& node, device_value const& value) { return node + '_' + value.name; }
+
 /// What a message of a device says of a value. One without it changes nothing: a number ignores an empty text, a text would
 /// be empty.
 std::string value_template(device_value const& value, bool ignores_empty)
@@ -96,7 +98,7 @@ public:
     retained_message message()
     {
         std::string const node = node_of(plan_, line_, device_);
-        std::string const id = node + '_' + value_.name;
+        std::string const id = entity_of(node, value_);
         all_["name"] = value_.name;
         all_["unique_id"] = "rtuwire_" + id;
         // The name of one key until 2025, and of the other since.
@@ -247,17 +249,24 @@ std::string discovery_topic(gateway_plan const& plan, line_plan const& line, dev
 
 std::string why_no_discovery(gateway_plan const& plan)
 {
-    std::map<std::string, std::string> nodes;
+    std::map<std::string, std::string> known; // devices, and entities
+    std::string why;
+    auto const add = [&](std::string const& id, std::string const& name) {
+        auto const [before, is_new] = known.emplace(id, name);
+        if (not is_new and why.empty() and not plan.broker.discovery.empty()) {
+            why = before->second + " and " + name + " are both " + before->first + " in discovery: rename one";
+        }
+    };
     for (auto const& line : plan.lines) {
         for (device_plan const& each : line->devices) {
-            std::string const name = line->name + '/' + each.name;
-            auto const [before, is_new] = nodes.emplace(node_of(plan, *line, each), name);
-            if (not is_new and not plan.broker.discovery.empty()) {
-                return before->second + " and " + name + " are both " + before->first + " in discovery: rename one";
+            std::string const node = node_of(plan, *line, each), name = line->name + '/' + each.name;
+            add(node, name);
+            for (device_value const& value : each.values) {
+                add(entity_of(node, value), name + '/' + value.name);
             }
         }
     }
-    return {};
+    return why;
 }
 
 } // namespace tool::gateway
