@@ -965,8 +965,10 @@ TEST_CASE("for a device or a port that is away a setting fails at once, and come
     on.line.loses_port_in_write = true;
     on.submit(limit, "1");
     on.run_for(100ms);
-    CHECK(on.answer().result == setting_result::failed);
+    CHECK(on.answer().why == "nobody knows");
     CHECK(on.line.units[0].written == 1);
+    CHECK(on.board.state().why == "the port is gone");
+    CHECK(on.board.device(0)->why == "the port is gone");
     on.submit(limit, "2");
     on.run_for(100ms);
     CHECK(on.answer().why == "the line is away: the port is gone");

@@ -142,8 +142,8 @@ public:
         ++asked.written;
         if (loses_port_in_write) {
             is_gone = true;
+            return setting_outcome{setting_result::failed, "nobody knows", true, "the port is gone"};
         }
-        refuse_lost();
         pass(response);
         asked.held = std::stoll(setting.request.text);
         return setting_outcome{setting_result::done, {}, true};

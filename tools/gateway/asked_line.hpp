@@ -57,7 +57,8 @@ struct device_finding {
 struct setting_outcome {
     setting_result result;
     std::string why{};
-    bool was_sent{false}; ///< a frame has left that writes
+    bool was_sent{false};    ///< a frame has left that writes
+    std::string port_lost{}; ///< why the port failed then; empty where it did not
 };
 
 /// Why a setting may not be written after all; nothing where it may.
@@ -96,7 +97,7 @@ public:
     virtual part_reading read(std::size_t part) = 0;
     /// Once, where all that `write` looks at allows it, `last_look` has nothing against it when all else is done, and it has not
     /// expired when its frame leaves. In turns, where its device's responses do not come at once: nothing where the rest is for a
-    /// later one, and nothing is written yet. The first turn of a request is none that `goes_on`.
+    /// later one, and nothing is written yet. The first turn of a request is none that `goes_on`. Where the port fails its outcome says so.
     virtual std::optional<setting_outcome> write(waiting_setting const& setting, bool goes_on,
                                                  setting_look const& last_look) = 0;
     /// Nothing where it serves none.

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "exit_status.hpp"
 #include "output/plain_text.hpp"
 
 namespace tool::gateway {
@@ -600,6 +601,9 @@ bool line_rounds::write(taken_setting& setting)
         }
     }
     answer(request, outcome->result, outcome->why);
+    if (not outcome->port_lost.empty()) {
+        throw ended{exit_status::port, outcome->port_lost};
+    }
     return true;
 }
 

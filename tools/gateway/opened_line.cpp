@@ -450,11 +450,17 @@ setting_outcome opened_line::set(waiting_setting const& setting, setting_look co
         return send(setting, values, rules, before, last_look);
     } catch (ended const& why) {
         if (why.status == exit_status::port) {
-            throw;
+            return lost(why.what(), false);
         }
         bool const is_refused = why.status == exit_status::usage or why.status == exit_status::refused;
         return {is_refused ? setting_result::refused : setting_result::failed, why.what()};
     }
+}
+
+setting_outcome opened_line::lost(std::string why, bool was_sent)
+{
+    std::string port = line_->port().failure();
+    return {setting_result::failed, why, was_sent, port.empty() ? why : std::move(port)};
 }
 
 setting_outcome opened_line::send(waiting_setting const& setting, value_list const& values, write_rules const& rules,
@@ -477,7 +483,7 @@ setting_outcome opened_line::send(waiting_setting const& setting, value_list con
     }
     std::string failure = outcome == errc::none ? std::string{} : line_->words_of_failure(outcome);
     if (status_of(outcome) == exit_status::port) {
-        throw ended{exit_status::port, "written or not, nobody knows: " + failure};
+        return lost("written or not, nobody knows: " + failure, true);
     }
     held_words const after = read_place(*line_, unit, value.where);
     std::string const was = before.why == errc::none ? value.text_of_words(before.words) : "unknown";
@@ -504,7 +510,7 @@ setting_outcome opened_line::send(waiting_setting const& setting, value_list con
                         : log_write({plan_.choices.port, unit.byte(), label_of({value.where, value.entry}), was, is});
     done.why += missed.empty() ? "" : (done.why.empty() ? "" : "; ") + std::string{"not noted: "} + missed;
     if (status_of(after.why) == exit_status::port) {
-        throw ended{exit_status::port, "written, and not read back: " + line_->port().failure()};
+        return lost("written, and not read back: " + line_->port().failure(), true);
     }
     return done;
 }

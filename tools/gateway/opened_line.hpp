@@ -74,6 +74,8 @@ private:
     device_finding who_answers(std::size_t device);
     /// The same in a turn: it runs from its begin each time.
     setting_outcome set(waiting_setting const& setting, setting_look const& last_look);
+    /// Where the port failed: what became of the setting is nobody else's reason.
+    setting_outcome lost(std::string why, bool was_sent);
     /// In one turn, whatever comes.
     setting_outcome send(waiting_setting const& setting, value_list const& values, write_rules const& rules,
                          held_words const& before, setting_look const& last_look);
