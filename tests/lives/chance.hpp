@@ -22,6 +22,7 @@ template <typename Link> class whole_life : public user<Link> {
     using base::link_;
     using base::nodes_;
     using base::now_;
+    using base::receiver_;
     using base::said_;
     using base::slots_;
     using base::wrong_;
@@ -217,6 +218,7 @@ private:
         }
         everyone_.fill({});
         link_ = base::make_link();
+        receiver_.clear();
         // A drive may still answer what was asked before.
         duration const longest =
             microseconds(how_.options.response_timeout.microseconds + how_.options.late_response.microseconds);

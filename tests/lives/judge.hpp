@@ -332,6 +332,15 @@ public:
         }
         is_heard_since_good_ = is_heard_since_good_ or is_good_;
     }
+    /// A response of which nobody can say whether the controller takes it for one: in parts, or behind other bytes.
+    void note_doubtful_response(moment now, std::uint16_t status)
+    {
+        unanswered_ = 0;
+        last_missed_ = now;
+        bool const is_shown = (status & altivar::stop_key_bit) != 0;
+        is_key_known_ = is_key_known_ or is_shown;
+        key_seen_at_ = is_shown ? now : key_seen_at_;
+    }
     void note_foreign(byte_view frame, moment now, cia402::state before)
     {
         last_heard_ = now;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lives/conversations.hpp"
+#include "lives/receiver.hpp"
 #include "lives/wire.hpp"
 
 #include <rtuwire/client/bus.hpp>
@@ -52,11 +53,11 @@ public:
 
     life(life_setting const& how, tally& counts, bool prints)
         : how_{how}, counts_{counts}, chance_{how.seed * 40'503U + 1U}, habits_{how.seed * 2'246'822'519U + 3U},
-          link_{make_link()}, said_{prints}
+          link_{make_link()}, receiver_{how_, counts}, said_{prints}
     {
         for (std::size_t i = 0; i < how.drives; ++i) {
             nodes_.push_back(std::make_unique<node>(how_, how_.drive[i], at(), counts));
-            nodes_.back()->law.note_line(how_.late_in_a_million == 0, 0);
+            note_line(i);
             if (how.drive[i].is_io) {
                 counts.note(event::named_otherwise);
             }
@@ -82,6 +83,7 @@ public:
         is_asleep_ = true;
         pass(length);
         is_asleep_ = false;
+        receiver_.note_waking(now_);
         for (auto const& each : nodes_) {
             if (each->law.note_sleep(now_, length)) {
                 counts_.note(event::slept_while_a_cycle_ran);
@@ -109,7 +111,8 @@ protected:
     void note_line(std::size_t unit)
     {
         node& own = *nodes_[unit];
-        own.law.note_line(own.lost.is_good() and how_.late_in_a_million == 0, now_);
+        bool const is_good = how_.late_in_a_million == 0 and how_.in_parts_in_a_million == 0;
+        own.law.note_line(own.lost.is_good() and is_good, now_);
     }
 
     void cycle_power(node& own)
@@ -152,16 +155,18 @@ protected:
                 return false;
             }
         }
-        return now_ > last_asked_ + how_.options.response_timeout.microseconds +
-                          how_.options.late_response.microseconds + 50'000 or
-               is_answered_;
+        bool const is_over = now_ > last_asked_ + how_.longest_lateness() + 70'000;
+        return receiver_.is_empty() and (is_over or is_answered_);
     }
+
+    bool awaits_response() const { return not is_answered_; }
 
     life_setting how_;
     tally& counts_;
     detail::random_source chance_;
     detail::random_source habits_; ///< of who visits what has ended
     Link link_;
+    receiver receiver_;
     chronicle said_;
     std::vector<std::unique_ptr<node>> nodes_{};
     std::array<slot, slots> slots_{};
@@ -230,7 +235,7 @@ private:
         if (not is_awake()) {
             return false;
         }
-        hear_what_came();
+        hear();
         for (auto const& each : nodes_) {
             each->law.note_visit();
         }
@@ -467,6 +472,8 @@ private:
         link_.sent(at());
         last_asked_ = now_;
         is_answered_ = frame[0] == std::byte{0};
+        has_come_ = false;
+        is_spoilt_ = true;
         if (not is_asked_for(to_u8(frame[0]))) {
             accuse(breach::spoke_behind_its_end, 0);
         }
@@ -549,9 +556,7 @@ private:
             own.response_size = made.size();
             own.status = own.drive->status();
             bool const is_late = not std::exchange(own.owes_another, false) and chance_.happens(how_.late_in_a_million);
-            std::uint32_t const most =
-                how_.options.response_timeout.microseconds + how_.options.late_response.microseconds - 20'000;
-            own.leaves_at = now_ + (is_late ? chance_.below(most) : 0);
+            own.leaves_at = now_ + (is_late ? chance_.below(how_.longest_lateness()) : 0);
             if (is_late) {
                 counts_.note(event::late_answers);
             }
@@ -566,11 +571,9 @@ private:
         bool const is_lost = own.loses(false, chance_) or is_cut;
         own.other.at = is_cut ? ambush::stage::counting : own.other.at;
         said_.frame("  <-", frame, is_lost ? "  lost" : "", &own);
-        if (not is_lost and is_asleep_) {
-            own.unheard_size = own.response_size;
-            own.unheard = own.response;
-        } else if (not is_lost) {
-            hear(own, frame);
+        if (not is_lost) {
+            receiver_.take(index_of(own), own.status, frame, now_);
+            hear();
         }
         for (auto const& each : nodes_) {
             if (each.get() != &own and not is_lost) {
@@ -578,7 +581,7 @@ private:
             }
         }
         own.response_size = 0;
-        if (not is_lost and not is_asleep_) {
+        if (not is_lost and is_answered_ and receiver_.is_empty()) {
             count_for(own, frame);
         }
         own.law.note_own_response();
@@ -586,7 +589,7 @@ private:
             counts_.note(event::power_cycle_between_frames);
             cycle_power(own);
         }
-        if (own.refer_behind != 0 and --own.refer_behind == 0 and not is_asleep_) {
+        if (own.refer_behind != 0 and --own.refer_behind == 0 and receiver_.is_empty()) {
             counts_.note(event::reference_of_another_during_a_start);
             std::array<std::byte, 8> other{};
             static_cast<void>(encode_into(other, *unit_id::checked(how_.drive[index_of(own)].address),
@@ -596,20 +599,27 @@ private:
         return true;
     }
 
-    void hear(node& own, byte_view frame)
+    /// The program looks into its receiver. A response tells for sure what it says where nothing came before it since the last
+    /// request.
+    void hear()
     {
-        link_.receive(frame, at());
-        own.law.note_response(frame, now_, own.status);
-        is_answered_ = true;
-    }
-
-    /// What lies in the receiver after a sleep.
-    void hear_what_came()
-    {
-        for (auto const& each : nodes_) {
-            if (each->unheard_size != 0) {
-                hear(*each, byte_view{each->unheard}.first(each->unheard_size));
-                each->unheard_size = 0;
+        if (not is_awake() or now_ < receiver_.due()) {
+            return;
+        }
+        auto const given = receiver_.give(now_);
+        auto const bytes = receiver::bytes_of(given);
+        if (given.size() != 1 or given[0].is_late or bytes.size() != given[0].response.size()) {
+            said_.frame("  ..", bytes, "  are in the receiver", nullptr);
+        }
+        link_.receive(bytes, at());
+        for (lump const& each : given) {
+            is_spoilt_ = each.begin == 0 ? has_come_ : is_spoilt_;
+            has_come_ = true;
+            if (each.completes()) {
+                judge& law = nodes_[each.unit]->law;
+                is_spoilt_ or each.is_late ? law.note_doubtful_response(now_, each.status)
+                                           : law.note_response(each.response, now_, each.status);
+                is_answered_ = true;
             }
         }
     }
@@ -629,7 +639,7 @@ private:
                 std::visit([&](auto& all) { add_all_to(next, all); }, each.what);
             }
         }
-        moment soon = end;
+        moment soon = is_awake() ? std::min(end, receiver_.due()) : end;
         for (slot const& each : slots_) {
             soon = is_awake() and each.has_told and each.due > now_ ? std::min(soon, each.due) : soon;
         }
@@ -673,6 +683,8 @@ private:
     moment quiet_since_{0}; ///< the end of the last frame
     unsigned stalls_{0};
     bool is_answered_{true};
+    bool has_come_{false};  ///< something to the receiver, since then
+    bool is_spoilt_{false}; ///< what comes now: something else came before it
 };
 
 } // namespace rtuwire::lives

@@ -39,11 +39,18 @@ struct life_setting {
     std::uint32_t bits_per_second{19'200};
     client_options options{};
     std::uint32_t late_in_a_million{0};
+    std::uint32_t in_parts_in_a_million{
+        0};                       ///< responses of which a part comes apart from the rest, or nothing but a part
     std::uint32_t start_count{0}; ///< of the clock
     unsigned moments{12};
     last_part end{last_part::goes_on};
 
     line_timing timing() const { return line_timing{bits_per_second, character_format::even_8_1}; }
+    /// A late response comes before its unit is asked anew.
+    std::uint32_t longest_lateness() const
+    {
+        return options.response_timeout.microseconds + options.late_response.microseconds - 20'000;
+    }
 };
 
 inline drive_setting drive_of(detail::random_source& chance, std::uint8_t address, bool is_unsupervised)
@@ -94,6 +101,7 @@ inline life_setting setting_of(std::uint32_t seed)
     how.end = static_cast<last_part>(chance.below(static_cast<std::uint32_t>(last_part::count)));
     how.is_blocking = chance.below(8) == 0;
     how.drives = how.is_blocking ? 1 : how.drives;
+    how.in_parts_in_a_million = chance.below(3) == 0 ? 30'000 : 0;
     return how;
 }
 

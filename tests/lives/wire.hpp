@@ -47,8 +47,6 @@ struct node {
     std::size_t response_size{0}; ///< of one that has not left
     std::uint16_t status{0};      ///< when that was made
     moment leaves_at{0};
-    std::array<std::byte, max_adu_size> unheard{}; ///< a response that came while the controller slept
-    std::size_t unheard_size{0};
     bool owes_another{false}; ///< a response, to another master
     bool is_local{false};
     ambush other{};
