@@ -402,7 +402,8 @@ private:
             base::run_in(2 * i);
         }
         base::pass(1'000'000 + chance_.below(2'000'000));
-        std::uint32_t const way = chance_.below(8);
+        std::uint32_t const drawn = chance_.below(12);
+        std::uint32_t const way = drawn < 8 ? drawn : 2 + drawn % 2; // the others are the rarest to hit
         if (way == 0) {
             give_up_everyone();
         } else if (way == 1) {
@@ -426,21 +427,51 @@ private:
         for (std::size_t i = 0; i < how_.drives; ++i) {
             base::begin_poll(2 * i + 1, i);
             slots_[2 * i + 1].asks_again = true;
+            if (chance_.below(2) == 0) {
+                base::give_up_for_good(2 * i); // who runs it by now
+            }
         }
-        base::pass(chance_.below(8'000));
+        how_.in_parts_in_a_million = chance_.below(2) == 0 ? 300'000 : how_.in_parts_in_a_million;
+        note_lines();
+        base::pass(chance_.below(50'000));
+        pass_until_it_asks();
         base::stop_all();
+        if (chance_.below(2) == 0) {
+            base::pass(1);
+            base::destroy_everyone();
+            base::release(0, true);
+        }
         read_on(false);
     }
 
-    /// A second start of each is under way when the program sleeps, for longer than that may take, or not.
+    /// A request has left, and no pass of the program has come behind it.
+    void pass_until_it_asks()
+    {
+        for (moment const end = now_ + 50'000; now_ < end and not base::awaits_response() and not wrong_;) {
+            base::pass(100);
+        }
+    }
+
+    void note_lines()
+    {
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            base::note_line(i);
+        }
+    }
+
+    /// A second start of each is under way when the program sleeps, for longer than that may take, or not; and for longer than
+    /// the first drive's time-out since that was asked before, or not.
     void sleep_under_second_starts()
     {
+        auto const time_out = static_cast<std::uint32_t>(how_.drive[0].time_out_us());
+        bool const is_by_time_out = chance_.below(2) == 0;
+        base::pass(is_by_time_out ? chance_.below(time_out) : 0);
         for (std::size_t i = 0; i < how_.drives; ++i) {
             base::begin_start(2 * i + 1, i);
         }
-        base::pass(chance_.below(chance_.below(2) == 0 ? 300'000 : 8'000));
+        chance_.below(2) == 0 ? base::pass(chance_.below(300'000)) : pass_until_it_asks();
         counts_.note(event::slept_under_a_start);
-        base::sleep(1'000'000 + chance_.below(6'000'000));
+        base::sleep(1'000'000 + chance_.below(is_by_time_out ? time_out : 6'000'000));
         base::pass(500'000);
     }
 

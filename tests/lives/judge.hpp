@@ -91,6 +91,9 @@ public:
     void note_end_of_order(std::size_t place, moment now)
     {
         order const own = std::exchange(orders_[place], {});
+        if (own.is_there and not own.has_enabled and detached_.at < own.at) {
+            detached_ = {}; // it has replaced that, too
+        }
         if (own.is_there and not has_order()) {
             taken_at_ = now;
             if (is_ordered_here_ and not own.has_enabled) { // what it replaced runs the motor: engine rule 40
@@ -130,7 +133,7 @@ public:
         if (own.is_there and (own.has_enabled or not is_known)) {
             detached_ = {true, true, false, true, true, true, std::max(detached_.at, own.at)};
         } else if ((was_stopping and not never_began) or own.is_there) {
-            is_known ? leave_or_forget(now) : void(is_orphan_ = true);
+            is_known ? leave_or_forget(now) : void(is_orphan_ = has_power_);
         }
     }
     /// A stop of everyone was given up.
@@ -180,7 +183,7 @@ public:
         orders_.fill({});
         detached_ = {};
         stops_to_begin_ = 0;
-        is_orphan_ = true;
+        is_orphan_ = has_power_ or is_ordered_here_;
         is_ordered_here_ = false;
         left_ = {};
         unanswered_ = 0;
@@ -481,7 +484,7 @@ private:
     static constexpr unsigned most_answers = 4;
 
     void leave(moment now) { left_ = {now}; }
-    void leave_or_forget(moment now) { is_ordered_here_ ? leave(now) : void(is_orphan_ = true); }
+    void leave_or_forget(moment now) { is_ordered_here_ ? leave(now) : void(is_orphan_ = has_power_); }
 
     template <typename Work> void for_each_order(Work work)
     {

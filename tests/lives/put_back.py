@@ -106,6 +106,13 @@ DEFECTS = [
 """)], LEFT, 3),
     Defect("the loss of a motor that is left is put off", [
         (UNIT_ORDER, "if (answers_left == 0) { // else it was left before", "{")], LEFT, 3),
+    Defect("any answer ends a loss", [
+        (ORDERS, "own->is_lost = own->is_lost and not is_stop_asked_;", "own->is_lost = false;")], LEFT | {"power too long after"}, 3),
+    Defect("a request under way that fed a motor is noted behind the look at whether it has stopped", [
+        (ORDERS, "            each.on_line = is_under_way ? now : each.on_line; // it may feed a motor that runs\n", ""),
+        (ORDERS, "            each.heed_absence(is_all_left, now);\n",
+         "            each.heed_absence(is_all_left, now);\n            each.on_line = is_under_way ? now : each.on_line;\n"),
+    ], LEFT, 3),
     Defect("broadcast_freewheel waits while a unit is lost", [
         ("ask/commander.hpp", "return frees_all_units<T> and not conversation.settled() ? effect::stopping : effect::none;",
          "return effect::none;")],

@@ -420,6 +420,7 @@ protected:
         counts_.note(event::stopped_everyone);
         a::broadcast_stop_options const options{.freewheel = chance.below(2) == 0,
                                                 .cuts_short = chance.below(4) == 0,
+                                                .left_out = any_left_out(),
                                                 .last_after = milliseconds(which != 0 ? 20U
                                                                            : habits_.below(3) == 0
                                                                                ? 2'000U
@@ -445,6 +446,13 @@ protected:
         for (std::size_t i = 0; i < how_.drives; ++i) {
             is_one_left_out and i == 1 ? law_of(i).note_left_out(place, now_) : law_of(i).note_stop(place, now_, false);
         }
+    }
+
+    /// Mostly none.
+    std::uint16_t any_left_out()
+    {
+        std::uint32_t const one = habits_.below(8);
+        return one < nodes_.size() ? nodes_[one]->drive->profile().cmd : std::uint16_t{0};
     }
 
     void destroy_everyone()
@@ -535,9 +543,9 @@ protected:
         release(unit);
     }
 
-    void release(std::size_t unit)
+    void release(std::size_t unit) { release(unit, chance_.below(4) == 0); }
+    void release(std::size_t unit, bool is_all)
     {
-        bool const is_all = chance_.below(4) == 0;
         said_.now = now_;
         said_.say(is_all ? "all drives are released" : "drive %u is released", set_of(unit).address);
         if constexpr (base::has_slots) {
