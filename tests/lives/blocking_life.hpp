@@ -12,6 +12,7 @@
 
 #include "lives/conversations.hpp"
 #include "lives/judge.hpp"
+#include "lives/receiver.hpp"
 #include "lives/wire.hpp"
 
 #include <rtuwire/client/blocking.hpp>
@@ -33,8 +34,8 @@ struct port_trouble {
 /// A host's port to one drive.
 class failing_port {
 public:
-    failing_port(life_setting const& how, chronicle const& said)
-        : how_{how}, said_{said}, drive_{make_drive(how.drive[0], how.timing(), at())}
+    failing_port(life_setting const& how, tally& counts, chronicle const& said)
+        : how_{how}, said_{said}, receiver_{how, counts}, drive_{make_drive(how.drive[0], how.timing(), at())}
     {}
 
     port_trouble trouble{};
@@ -85,17 +86,21 @@ public:
         for (;;) {
             pass(0);
             if (byte_view const frame = drive_->poll_transmit(); not frame.empty()) {
-                byte_writer{place}.bytes(frame);
                 said_.frame("  <-", frame, "", nullptr);
-                byte_span const got = place.first(frame.size());
+                std::vector<std::byte> const whole{frame.begin(), frame.end()};
                 pass(frame.size() * 11'000'000ULL / how_.bits_per_second);
                 drive_->sent(at());
-                return got;
+                receiver_.take(0, drive_->status(), whole, now_);
+            }
+            if (now_ >= receiver_.due()) {
+                auto const bytes = receiver::bytes_of(receiver_.give(now_));
+                byte_writer{place}.bytes(bytes);
+                return place.first(bytes.size());
             }
             if (now_ >= end) {
                 return place.first(0);
             }
-            pass(std::min<moment>(end - now_, 1'000));
+            pass(std::min<moment>({end - now_, receiver_.due() - now_, 1'000}));
         }
     }
 
@@ -134,6 +139,7 @@ private:
     chronicle said_;
     moment now_{0};
     moment told_{0};
+    receiver receiver_;
     std::unique_ptr<far_drive> drive_;
     unsigned stop_words_{0}; ///< that were taken
     unsigned failed_{0};     ///< writes
@@ -144,7 +150,7 @@ class blocking_life {
 public:
     blocking_life(life_setting const& how, tally& counts, bool prints)
         : how_{how}, counts_{counts}, chance_{how.seed * 40'503U + 1U}, habits_{how.seed * 2'246'822'519U + 3U},
-          port_{how_, {prints}}, line_{port_, how.timing(), how.options}
+          port_{how_, counts, {prints}}, line_{port_, how.timing(), how.options}
     {}
 
     bool live()
