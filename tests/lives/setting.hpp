@@ -98,7 +98,8 @@ inline life_setting setting_of(std::uint32_t seed)
     how.start_count = wraps ? 0U - chance.below(8'000'000) : chance.next();
     how.moments = 6 + chance.below(12);
     how.is_event_driven = chance.below(2) == 0;
-    how.end = static_cast<last_part>(chance.below(static_cast<std::uint32_t>(last_part::count)));
+    auto const end = static_cast<last_part>(chance.below(static_cast<std::uint32_t>(last_part::count) + 1));
+    how.end = end == last_part::count ? last_part::motors_are_left : end; // the one with the most ways
     how.is_blocking = chance.below(8) == 0;
     how.drives = how.is_blocking ? 1 : how.drives;
     how.in_parts_in_a_million = chance.below(3) == 0 ? 30'000 : 0;
