@@ -214,6 +214,7 @@ public:
             }
         }
         // What takes time from one of these on begins now.
+        last_missed_ = last_missed_ < taken_at_ ? last_missed_ : now;
         taken_at_ = stopped_at_ = lost_at_ = now;
         left_.since != 0 ? leave(now) : void();
         unheeded_ = 0;
@@ -318,9 +319,7 @@ public:
     void note_response(byte_view frame, moment now, std::uint16_t status)
     {
         unanswered_ = 0;
-        if (std::exchange(is_reference_asked_, false)) {
-            reference_seen_at_ = {now, reference_seen_at_[0]};
-        }
+        note_reference_seen(now);
         bool const is_in_time = now < asked_at_ + how_.options.response_timeout.microseconds;
         note_begin(is_in_time ? asked_function_ : std::uint8_t{0});
         constexpr std::size_t size_of_one_word = 7; // an older request may have had another one
@@ -340,6 +339,7 @@ public:
     {
         unanswered_ = 0;
         last_missed_ = now;
+        note_reference_seen(now);
         bool const is_shown = (status & altivar::stop_key_bit) != 0;
         is_key_known_ = is_key_known_ or is_shown;
         key_seen_at_ = is_shown ? now : key_seen_at_;
@@ -526,6 +526,12 @@ private:
             is_orphan_ = is_orphan_ and has_power_;
         }
         return all != stops_to_begin_;
+    }
+    void note_reference_seen(moment now)
+    {
+        if (std::exchange(is_reference_asked_, false)) {
+            reference_seen_at_ = {now, reference_seen_at_[0]};
+        }
     }
     void note_enabled()
     {

@@ -599,8 +599,8 @@ private:
         return true;
     }
 
-    /// The program looks into its receiver. A response tells for sure what it says where nothing came before it since the last
-    /// request.
+    /// The program looks into its receiver. A response tells for sure what it says where it came whole, and nothing before it
+    /// since the last request.
     void hear()
     {
         if (not is_awake() or now_ < receiver_.due()) {
@@ -617,8 +617,9 @@ private:
             has_come_ = true;
             if (each.completes()) {
                 judge& law = nodes_[each.unit]->law;
-                is_spoilt_ or each.is_late ? law.note_doubtful_response(now_, each.status)
-                                           : law.note_response(each.response, now_, each.status);
+                bool const is_sure = each.begin == 0 and not is_spoilt_ and not each.is_late;
+                is_sure ? law.note_response(each.response, now_, each.status)
+                        : law.note_doubtful_response(now_, each.status);
                 is_answered_ = true;
             }
         }
