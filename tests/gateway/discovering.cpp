@@ -219,4 +219,6 @@ TEST_CASE("two devices, or values, that discovery would take for one are told")
     }
     plan.lines.push_back(two);
     CHECK(why_no_discovery(plan).find("l/d/a_b and l/d_a/b are both s_g_l_d_a_b") == 0);
+    two->devices.front().values.front().name = "a"; // a value that is called as the other device is
+    CHECK(why_no_discovery(plan).empty());
 }

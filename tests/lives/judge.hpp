@@ -213,8 +213,8 @@ public:
                 each = each.is_by_cycle ? order{} : each;
             }
         }
+        last_missed_ = last_missed_ < taken_at_ ? last_missed_ : now; // what was not sure by then is no surer behind it
         // What takes time from one of these on begins now.
-        last_missed_ = last_missed_ < taken_at_ ? last_missed_ : now;
         taken_at_ = stopped_at_ = lost_at_ = now;
         left_.since != 0 ? leave(now) : void();
         unheeded_ = 0;

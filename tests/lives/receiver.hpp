@@ -48,6 +48,7 @@ public:
         std::size_t const first = 1 + chance_.below(size - 1);
         moment const behind = now + (size - first) * 11'000'000ULL / how_.bits_per_second;
         moment const later = now + chance_.below(how_.longest_lateness());
+        // The events are in the order of these.
         counts_.note(static_cast<event>(static_cast<unsigned>(event::answer_in_two_parts) + which));
         switch (which) {
         case 0: return put_in_two(all, first, now, behind);

@@ -39,9 +39,8 @@ struct life_setting {
     std::uint32_t bits_per_second{19'200};
     client_options options{};
     std::uint32_t late_in_a_million{0};
-    std::uint32_t in_parts_in_a_million{
-        0};                       ///< responses of which a part comes apart from the rest, or nothing but a part
-    std::uint32_t start_count{0}; ///< of the clock
+    std::uint32_t in_parts_in_a_million{0}; ///< responses that the receiver does not give whole and at once
+    std::uint32_t start_count{0};           ///< of the clock
     unsigned moments{12};
     last_part end{last_part::goes_on};
 

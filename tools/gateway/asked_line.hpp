@@ -97,7 +97,8 @@ public:
     virtual part_reading read(std::size_t part) = 0;
     /// Once, where all that `write` looks at allows it, `last_look` has nothing against it when all else is done, and it has not
     /// expired when its frame leaves. In turns, where its device's responses do not come at once: nothing where the rest is for a
-    /// later one, and nothing is written yet. The first turn of a request is none that `goes_on`. Where the port fails its outcome says so.
+    /// later one, and nothing is written yet. The first turn of a request is none that `goes_on`. Where the port fails the outcome
+    /// says so.
     virtual std::optional<setting_outcome> write(waiting_setting const& setting, bool goes_on,
                                                  setting_look const& last_look) = 0;
     /// Nothing where it serves none.

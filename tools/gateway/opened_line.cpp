@@ -304,7 +304,7 @@ device_finding opened_line::who_answers(std::size_t which)
     has_said_[which] = has_said_[which] or (is_said and why.empty());
     if (not is_said) {
         return {device_finding::kind::right,
-                "it does not say who it is (function 43), as its register file has it: another "
+                "it does not say who it is (function 43), as its register file has it: until it does, another "
                 "one in its place is found by a silence alone"};
     }
     return found(std::move(why));

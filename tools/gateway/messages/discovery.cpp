@@ -249,10 +249,10 @@ std::string discovery_topic(gateway_plan const& plan, line_plan const& line, dev
 
 std::string why_no_discovery(gateway_plan const& plan)
 {
-    std::map<std::string, std::string> known; // devices, and entities
+    std::map<std::string, std::string> devices, entities; // whose identifiers have nothing to do with each other
     std::string why;
-    auto const add = [&](std::string const& id, std::string const& name) {
-        auto const [before, is_new] = known.emplace(id, name);
+    auto const add = [&](auto& to, std::string const& id, std::string const& name) {
+        auto const [before, is_new] = to.emplace(id, name);
         if (not is_new and why.empty() and not plan.broker.discovery.empty()) {
             why = before->second + " and " + name + " are both " + before->first + " in discovery: rename one";
         }
@@ -260,9 +260,9 @@ std::string why_no_discovery(gateway_plan const& plan)
     for (auto const& line : plan.lines) {
         for (device_plan const& each : line->devices) {
             std::string const node = node_of(plan, *line, each), name = line->name + '/' + each.name;
-            add(node, name);
+            add(devices, node, name);
             for (device_value const& value : each.values) {
-                add(entity_of(node, value), name + '/' + value.name);
+                add(entities, entity_of(node, value), name + '/' + value.name);
             }
         }
     }

@@ -458,9 +458,6 @@ std::string why_exchanged(open_line& line, unit_address unit, write_rules const&
     }
     identity_words now;
     errc const why = read_identity(line, unit, now);
-    if (status_of(why) == exit_status::port) {
-        throw ended{exit_status::port, line.port().failure()};
-    }
     if (why == errc::none and text_of(now) == rules.says) {
         return {};
     }

@@ -79,7 +79,7 @@ struct write_rules {
 write_rules rules_to_write(open_line& line, named_unit const& unit, permissions const& allowed);
 
 /// Why a unit that said who it is when these rules were made may be another one now: it does not say the same. Empty where it
-/// does, or said nothing then. Ends the command where the port fails.
+/// does, or said nothing then. Where the port fails that is the reason, and nothing is thrown: something may have been written.
 std::string why_exchanged(open_line& line, unit_address unit, write_rules const& rules);
 
 /// The rules by what the unit tells of itself alone: of the table of the drive that it is, else as of one that was said to be
